@@ -1,0 +1,1 @@
+//! Beyond uniform sampling: derivatives, interlaced and band-pass combs, irregular positions.

@@ -1,0 +1,22 @@
+//! All laws, in the order of the lecture.
+
+use crate::error::{Result, unknown};
+use crate::laws::Law;
+
+/// The themes, each with its laws.
+static THEMES: &[&[Law]] = &[];
+
+/// All laws.
+pub fn all() -> impl Iterator<Item = &'static Law> {
+    THEMES.iter().copied().flatten()
+}
+
+/// The law of that name, or the one that states that result of the inventory.
+///
+/// # Errors
+/// An unknown name; the known ones stand in the error, nearest first.
+pub fn by_name(name: &str) -> Result<&'static Law> {
+    all()
+        .find(|law| law.name == name || law.inventory.contains(&name))
+        .ok_or_else(|| unknown("law", name, all().map(|law| law.name)))
+}

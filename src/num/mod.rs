@@ -1,0 +1,7 @@
+//! The ground floor: numbers that the field needs and the standard library lacks.
+
+pub mod quadrature;
+pub mod random;
+mod sinc;
+
+pub use sinc::{cos_pi, sin_pi, sinc};

@@ -1,0 +1,1 @@
+//! Folding, verdicts and rates.

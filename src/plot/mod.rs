@@ -1,0 +1,1 @@
+//! Figures drawn: the only place that knows plotters.

@@ -1,0 +1,1 @@
+//! Adaptive sampling of a continuous function until its spectrum has ended.

@@ -1,0 +1,64 @@
+//! Bins: the discrete spectrum of samples.
+
+use crate::axis::Axis;
+use crate::error::{Error, Result};
+use num_complex::Complex;
+
+/// Samples of a spectrum: `F(ν_k)` at the frequencies of [`Bins::axis`], which rise and have zero at index `n/2`.
+///
+/// Bins keep the axis of the samples that they came from, in space: the frequency axis is its [dual](Axis::dual), so
+/// the two can never disagree, and the way back is known.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bins {
+    space: Axis,
+    values: Vec<Complex<f64>>,
+}
+
+impl Bins {
+    /// Values of the spectrum of samples on `space`.
+    ///
+    /// # Errors
+    /// A number of values other than the axis has positions; values that are not finite.
+    pub fn new(space: Axis, values: Vec<Complex<f64>>) -> Result<Self> {
+        if values.len() != space.len() {
+            return Err(Error::Length { what: "bins on an axis", expected: space.len(), got: values.len() });
+        }
+        match values.iter().position(|v| !v.is_finite()) {
+            Some(index) => Err(Error::NotFiniteAt { what: "bins", index, value: values[index].norm() }),
+            None => Ok(Self { space, values }),
+        }
+    }
+
+    /// The axis of the samples in space.
+    pub fn space(&self) -> Axis {
+        self.space
+    }
+
+    /// The frequencies of the bins.
+    pub fn axis(&self) -> Axis {
+        self.space.dual()
+    }
+
+    /// The values `F(ν_k)`.
+    pub fn values(&self) -> &[Complex<f64>] {
+        &self.values
+    }
+
+    /// Frequencies and magnitudes `|F(ν_k)|`, in order.
+    pub fn magnitudes(&self) -> impl ExactSizeIterator<Item = [f64; 2]> + '_ {
+        self.axis().iter().zip(&self.values).map(|(nu, v)| [nu, v.norm()])
+    }
+
+    /// The bin nearest to frequency `nu`, modulo the sampling rate.
+    ///
+    /// ```
+    /// use nyquist::prelude::*;
+    /// let bins = forward(&Samples::of(&Cosine::new(2.0)?, Axis::nodes(0.0..1.0, 8)?));
+    /// assert!((bins.near(2.0).re - 0.5).abs() < 1e-15); // the line's weight times the record's length
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn near(&self, nu: f64) -> Complex<f64> {
+        let k = self.axis().index_of(nu).round() as i64;
+        self.values[k.rem_euclid(self.values.len() as i64) as usize]
+    }
+}

@@ -1,0 +1,134 @@
+//! Every sentence that a reader sees, in English and in Russian.
+
+use std::borrow::Cow;
+
+/// A language of labels and captions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Lang {
+    /// English.
+    En,
+    /// Russian.
+    Ru,
+}
+
+impl Lang {
+    /// Both, English first.
+    pub const ALL: [Self; 2] = [Self::En, Self::Ru];
+
+    /// The two-letter code: `en` or `ru`.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::En => "en",
+            Self::Ru => "ru",
+        }
+    }
+}
+
+/// One sentence in two languages, with light markup: `_{…}` is a subscript and `^{…}` a superscript.
+///
+/// ```
+/// use nyquist::text::{Lang, Text};
+/// const TITLE: Text = Text::fixed("Replicas of Ш_{1/T}", "Копии Ш_{1/T}");
+/// assert_eq!(TITLE.get(Lang::Ru), "Копии Ш_{1/T}");
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Text {
+    en: Cow<'static, str>,
+    ru: Cow<'static, str>,
+}
+
+impl Text {
+    /// Nothing, in both languages.
+    pub const EMPTY: Self = Self::fixed("", "");
+
+    /// A sentence that is known at compile time.
+    pub const fn fixed(en: &'static str, ru: &'static str) -> Self {
+        Self { en: Cow::Borrowed(en), ru: Cow::Borrowed(ru) }
+    }
+
+    /// A formula or a symbol that reads the same in both languages.
+    pub const fn same(both: &'static str) -> Self {
+        Self::fixed(both, both)
+    }
+
+    /// A sentence with numbers in it. Minus signs become `−`, and in Russian the decimal point becomes a comma, so
+    /// that the numbers can be formatted once for both.
+    ///
+    /// ```
+    /// use nyquist::text::{Lang, Text};
+    /// let text = Text::of(format!("gain {:.2}", -0.5), format!("усиление {:.2}", -0.5));
+    /// assert_eq!(text.get(Lang::Ru), "усиление −0,50");
+    /// ```
+    pub fn of(en: impl Into<String>, ru: impl Into<String>) -> Self {
+        Self { en: Cow::Owned(minus(&en.into())), ru: Cow::Owned(comma(&minus(&ru.into()))) }
+    }
+
+    /// The sentence in one language.
+    pub fn get(&self, lang: Lang) -> &str {
+        match lang {
+            Lang::En => &self.en,
+            Lang::Ru => &self.ru,
+        }
+    }
+
+    /// Whether there is nothing to read.
+    pub fn is_empty(&self) -> bool {
+        self.en.is_empty() && self.ru.is_empty()
+    }
+}
+
+/// [`Text`] from two literals, or from two format strings and their shared arguments.
+///
+/// ```
+/// use nyquist::text;
+/// use nyquist::text::Lang;
+/// let step = 0.5;
+/// assert_eq!(text!("T = {step}", "T = {step}").get(Lang::Ru), "T = 0,5");
+/// ```
+#[macro_export]
+macro_rules! text {
+    ($en:literal, $ru:literal $(, $($arg:tt)*)?) => {
+        $crate::text::Text::of(format!($en $(, $($arg)*)?), format!($ru $(, $($arg)*)?))
+    };
+}
+
+/// A number for a reader: plain where that is short, otherwise mantissa and power of ten with `digits` significant
+/// digits, as markup: `4.2·10^{−15}`.
+///
+/// ```
+/// assert_eq!(nyquist::text::number(0.00042, 2), "0.00042");
+/// assert_eq!(nyquist::text::number(4.19e-15, 2), "4.2·10^{−15}");
+/// assert_eq!(nyquist::text::number(-1234.5, 3), "−1230");
+/// ```
+pub fn number(value: f64, digits: usize) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return if value == 0.0 { "0".into() } else { minus(&value.to_string()) };
+    }
+    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
+    let (mantissa, exponent) = scientific.split_once('e').expect("the format {:e} always writes an e");
+    let exponent: i32 = exponent.parse().expect("the format {:e} writes a whole exponent");
+    let plain = || {
+        let rounded: f64 = scientific.parse().expect("the format {:e} can be read back");
+        rounded.to_string()
+    };
+    let short = if (-5..7).contains(&exponent) { plain() } else { format!("{mantissa}·10^{{{exponent}}}") };
+    minus(&short)
+}
+
+/// `-` before a digit becomes `−`, unless it stands inside a word or a range.
+fn minus(s: &str) -> String {
+    let chars: Vec<char> = s.chars().collect();
+    let is_sign = |i: usize| {
+        let before = i.checked_sub(1).map(|j| chars[j]);
+        chars.get(i + 1).is_some_and(char::is_ascii_digit) && !before.is_some_and(char::is_alphanumeric)
+    };
+    chars.iter().enumerate().map(|(i, &c)| if c == '-' && is_sign(i) { '−' } else { c }).collect()
+}
+
+/// A point between two digits becomes a comma.
+fn comma(s: &str) -> String {
+    let chars: Vec<char> = s.chars().collect();
+    let digit = |i: Option<usize>| i.and_then(|i| chars.get(i)).is_some_and(char::is_ascii_digit);
+    let inside = |i: usize| digit(i.checked_sub(1)) && digit(Some(i + 1));
+    chars.iter().enumerate().map(|(i, &c)| if c == '.' && inside(i) { ',' } else { c }).collect()
+}
