@@ -4,4 +4,4 @@ pub mod quadrature;
 pub mod random;
 mod sinc;
 
-pub use sinc::{cos_pi, sin_pi, sinc};
+pub use sinc::{cos_pi, sin_pi, sinc, sinc_slope};
