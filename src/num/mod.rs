@@ -1,5 +1,6 @@
 //! The ground floor: numbers that the field needs and the standard library lacks.
 
+pub mod extremum;
 pub mod faddeeva;
 pub mod quadrature;
 pub mod random;
