@@ -7,4 +7,4 @@ pub mod random;
 mod sinc;
 pub mod special;
 
-pub use sinc::{cos_pi, sin_pi, sinc};
+pub use sinc::{cos_pi, sin_pi, sinc, sinc_slope};
