@@ -32,8 +32,8 @@ pub mod prelude {
     pub use crate::kernel::lanczos::Lanczos;
     pub use crate::kernel::pbrt_sinc::PbrtSinc;
     pub use crate::kernel::regularised::Regularised;
-    pub use crate::kernel::stretched::Stretched;
     pub use crate::kernel::tent::TentKernel;
+    pub use crate::kernel::widened::Widened;
     pub use crate::kernel::{Claims, Kernel};
     pub use crate::reconstruct::{Reconstruction, reconstruct};
     pub use crate::residual::Residual;

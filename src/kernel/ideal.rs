@@ -68,7 +68,7 @@ impl Kernel for Ideal {
         // below 1e-8 of a step the kernel is 1 − (πu)²/6 at least
         match u.abs() < 1e-8 {
             true => 1.0,
-            false if n % 2 == 0 => sin_pi(u) * cos_pi(u / period) / (period * slow),
+            false if n.is_multiple_of(2) => sin_pi(u) * cos_pi(u / period) / (period * slow),
             false => sin_pi(u) / (period * slow),
         }
     }

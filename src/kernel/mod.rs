@@ -13,8 +13,8 @@ pub mod lanczos;
 pub mod metrics;
 pub mod pbrt_sinc;
 pub mod regularised;
-pub mod stretched;
 pub mod tent;
+pub mod widened;
 mod windowed;
 
 use crate::signal::Signal;

@@ -11,7 +11,7 @@
 
 use crate::error::Result;
 use crate::kernel::lanczos::Lanczos;
-use crate::kernel::stretched::Stretched;
+use crate::kernel::widened::Widened;
 use crate::kernel::{Claims, Kernel};
 use crate::signal::Signal;
 
@@ -28,16 +28,16 @@ use crate::signal::Signal;
 pub struct PbrtSinc {
     width: f64,
     tau: f64,
-    lanczos: Stretched<Lanczos>,
+    lanczos: Widened<Lanczos>,
 }
 
 impl PbrtSinc {
     /// Width `w` and lobes `τ`, as the scene file has them.
     ///
     /// # Errors
-    /// As [`Lanczos::new`] for `τ` and [`Stretched::new`] for `w/τ`.
+    /// As [`Lanczos::new`] for `τ` and [`Widened::new`] for `w/τ`.
     pub fn new(width: f64, tau: f64) -> Result<Self> {
-        let lanczos = Stretched::new(Lanczos::new(tau)?, width / tau)?;
+        let lanczos = Widened::new(Lanczos::new(tau)?, width / tau)?;
         Ok(Self { width, tau, lanczos })
     }
 }

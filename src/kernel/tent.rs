@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | formula | `k(t) = max(0, 1 − \|t\|)`, the box convolved with itself |
 //! | response | `K(ν) = sinc²(ν)` |
-//! | parameters | none; the lecture's `max(0, 1 − \|x\|)` is right for `T = 1` only (E06): [`Stretched`](crate::kernel::stretched::Stretched) shows what it does elsewhere |
+//! | parameters | none; the lecture's `max(0, 1 − \|x\|)` is right for `T = 1` only (E06): [`Widened`](crate::kernel::widened::Widened) shows what it does elsewhere |
 //! | use it | where speed counts and ringing is forbidden; the error is at most `T²/8·max\|f″\|` |
 //! | artefacts | kinks at the samples; a pass band that sags by 7.8 dB at Nyquist |
 //! | source | slide «Реконструированная функция» (Pharr & Humphreys, figure 7.5) |

@@ -17,24 +17,24 @@ use crate::signal::Signal;
 ///
 /// ```
 /// use nyquist::prelude::*;
-/// let wide = Stretched::new(TentKernel, 2.0)?;
+/// let wide = Widened::new(TentKernel, 2.0)?;
 /// assert_eq!((wide.at(0.0), wide.at(1.0), wide.radius()), (0.5, 0.25, 2.0));
 /// assert_eq!(wide.response(0.0), 1.0); // the area is kept
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stretched<K> {
+pub struct Widened<K> {
     kernel: K,
     factor: f64,
 }
 
-impl<K: Kernel> Stretched<K> {
+impl<K: Kernel> Widened<K> {
     /// `kernel`, `factor` times as wide.
     ///
     /// # Errors
     /// A factor that is not finite or outside `1/4096..=4096`.
     pub fn new(kernel: K, factor: f64) -> Result<Self> {
-        within("the factor of a stretched kernel", factor, 1.0 / MOST_RADIUS, MOST_RADIUS)?;
+        within("the factor of a widened kernel", factor, 1.0 / MOST_RADIUS, MOST_RADIUS)?;
         Ok(Self { kernel, factor })
     }
 
@@ -44,13 +44,13 @@ impl<K: Kernel> Stretched<K> {
     }
 }
 
-impl<K: Kernel> Signal for Stretched<K> {
+impl<K: Kernel> Signal for Widened<K> {
     fn at(&self, t: f64) -> f64 {
         self.kernel.at(t / self.factor) / self.factor
     }
 }
 
-impl<K: Kernel> Kernel for Stretched<K> {
+impl<K: Kernel> Kernel for Widened<K> {
     fn name(&self) -> String {
         format!("{}*{}", self.kernel.name(), self.factor)
     }
