@@ -24,7 +24,18 @@ pub mod prelude {
     pub use crate::axis::{Axis, Edge, Unit};
     pub use crate::comb::Comb;
     pub use crate::error::{Error, Result};
+    pub use crate::kernel::box_kernel::BoxKernel;
+    pub use crate::kernel::cubic::Cubic;
+    pub use crate::kernel::gaussian::GaussianKernel;
+    pub use crate::kernel::ideal::Ideal;
+    pub use crate::kernel::kaiser::Kaiser;
+    pub use crate::kernel::lanczos::Lanczos;
+    pub use crate::kernel::pbrt_sinc::PbrtSinc;
+    pub use crate::kernel::regularised::Regularised;
+    pub use crate::kernel::tent::TentKernel;
+    pub use crate::kernel::widened::Widened;
     pub use crate::kernel::{Claims, Kernel};
+    pub use crate::reconstruct::{Reconstruction, reconstruct};
     pub use crate::residual::Residual;
     pub use crate::sampled::convolution::{convolve, convolve_circular};
     pub use crate::sampled::dft::{forward, inverse};

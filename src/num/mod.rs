@@ -1,7 +1,10 @@
 //! The ground floor: numbers that the field needs and the standard library lacks.
 
+pub mod extremum;
+pub mod faddeeva;
 pub mod quadrature;
 pub mod random;
 mod sinc;
+pub mod special;
 
 pub use sinc::{cos_pi, sin_pi, sinc, sinc_slope};
