@@ -24,6 +24,7 @@ pub mod prelude {
     pub use crate::axis::{Axis, Edge, Unit};
     pub use crate::error::{Error, Result};
     pub use crate::kernel::{Claims, Kernel};
+    pub use crate::nyquist::{Alias, Verdict, fold, nyquist_frequency, nyquist_rate};
     pub use crate::residual::Residual;
     pub use crate::sampled::{Bins, Samples};
     pub use crate::signal::{Differentiable, FourierPair, Signal, from_fn};
