@@ -3,5 +3,6 @@
 pub mod quadrature;
 pub mod random;
 mod sinc;
+pub mod svd;
 
 pub use sinc::{cos_pi, sin_pi, sinc};
