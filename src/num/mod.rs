@@ -5,4 +5,4 @@ pub mod random;
 mod sinc;
 pub mod svd;
 
-pub use sinc::{cos_pi, sin_pi, sinc};
+pub use sinc::{cos_pi, sin_pi, sinc, sinc_slope};
