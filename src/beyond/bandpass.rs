@@ -1,8 +1,8 @@
 //! Reconstruction of a band that does not begin at zero.
 
 use crate::error::{Error, Result, finite, positive};
-use crate::nyquist::bandpass_rates;
 use crate::num::sinc;
+use crate::nyquist::bandpass_rates;
 use crate::sampled::Samples;
 use crate::signal::Signal;
 

@@ -103,7 +103,7 @@ impl TrigPolynomial {
 
 /// `Re(c_0 + 2 Σ_{k ≥ 1} c_k z^k)`
 fn horner(coefficients: impl DoubleEndedIterator<Item = Complex<f64>>, mean: f64, z: Complex<f64>) -> f64 {
-    let upper = coefficients.rev().fold(Complex::ZERO, |sum, c| sum * z + c);
+    let upper: Complex<f64> = coefficients.rev().fold(Complex::ZERO, |sum, c| sum * z + c);
     mean + 2.0 * (upper * z).re
 }
 

@@ -115,8 +115,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 /// Makes columns `p < q` orthogonal; false if they already were.
 fn rotate(scaled: &mut [Vec<f64>], right: &mut [Vec<f64>], [p, q]: [usize; 2], orthogonal: f64) -> bool {
-    let (alpha, beta, gamma) =
-        (dot(&scaled[p], &scaled[p]), dot(&scaled[q], &scaled[q]), dot(&scaled[p], &scaled[q]));
+    let (alpha, beta, gamma) = (dot(&scaled[p], &scaled[p]), dot(&scaled[q], &scaled[q]), dot(&scaled[p], &scaled[q]));
     if gamma.abs() <= orthogonal * (alpha * beta).sqrt() {
         return false;
     }
