@@ -32,6 +32,7 @@ pub mod prelude {
         Alias, Landing, Verdict, bandpass_rates, fold, landings, nyquist_frequency, nyquist_rate,
     };
     pub use crate::residual::Residual;
+    pub use crate::resolve::{Ends, Resolution, Resolved, resolve, resolve_up_to};
     pub use crate::sampled::convolution::{convolve, convolve_circular};
     pub use crate::sampled::dft::{forward, inverse};
     pub use crate::sampled::dtft::dtft;

@@ -94,6 +94,11 @@ impl TrigPolynomial {
         (self.coefficients[0].norm_sqr() + 2.0 * upper).sqrt()
     }
 
+    /// The value where `e^{2πi(x − a)/L} = z`.
+    pub(crate) fn at_turn(&self, z: Complex<f64>) -> f64 {
+        horner(self.coefficients[1..].iter().copied(), self.coefficients[0].re, z)
+    }
+
     /// `e^{2πi(x − a)/L}`.
     fn turn(&self, x: f64) -> Complex<f64> {
         let u = 2.0 * ((x - self.start) / self.period);
@@ -109,7 +114,7 @@ fn horner(coefficients: impl DoubleEndedIterator<Item = Complex<f64>>, mean: f64
 
 impl Signal for TrigPolynomial {
     fn at(&self, x: f64) -> f64 {
-        horner(self.coefficients[1..].iter().copied(), self.coefficients[0].re, self.turn(x))
+        self.at_turn(self.turn(x))
     }
 }
 
