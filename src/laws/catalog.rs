@@ -1,10 +1,10 @@
 //! All laws, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::laws::Law;
+use crate::laws::{Law, alias, poisson, theorems};
 
 /// The themes, each with its laws.
-static THEMES: &[&[Law]] = &[];
+static THEMES: &[&[Law]] = &[theorems::LAWS, poisson::LAWS, alias::LAWS];
 
 /// All laws.
 pub fn all() -> impl Iterator<Item = &'static Law> {

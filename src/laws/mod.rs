@@ -3,7 +3,10 @@
 //! Tests, figures, the command line, notebooks and exercises all call them. A law that cannot fail is no law: each is
 //! also run on an object that breaks it.
 
+pub mod alias;
 pub mod catalog;
+pub mod poisson;
+pub mod theorems;
 
 use crate::residual::Residual;
 use crate::text::Text;
