@@ -22,6 +22,9 @@ pub mod text;
 /// What users, notebooks and exercises import; nothing inside the library does.
 pub mod prelude {
     pub use crate::axis::{Axis, Edge, Unit};
+    pub use crate::beyond::{
+        BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery, TrigPolynomial,
+    };
     pub use crate::comb::Comb;
     pub use crate::error::{Error, Result};
     pub use crate::kernel::box_kernel::BoxKernel;
@@ -35,8 +38,12 @@ pub mod prelude {
     pub use crate::kernel::tent::TentKernel;
     pub use crate::kernel::widened::Widened;
     pub use crate::kernel::{Claims, Kernel};
+    pub use crate::nyquist::{
+        Alias, Landing, Verdict, bandpass_rates, fold, landings, nyquist_frequency, nyquist_rate,
+    };
     pub use crate::reconstruct::{Reconstruction, reconstruct};
     pub use crate::residual::Residual;
+    pub use crate::resolve::{Ends, Resolution, Resolved, resolve, resolve_up_to};
     pub use crate::sampled::convolution::{convolve, convolve_circular};
     pub use crate::sampled::dft::{forward, inverse};
     pub use crate::sampled::dtft::dtft;

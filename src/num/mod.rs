@@ -6,5 +6,6 @@ pub mod quadrature;
 pub mod random;
 mod sinc;
 pub mod special;
+pub mod svd;
 
 pub use sinc::{cos_pi, sin_pi, sinc, sinc_slope};
