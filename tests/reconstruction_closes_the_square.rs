@@ -32,8 +32,9 @@ fn interpolating_kernels_pass_through_any_samples() {
         for edge in Edge::ALL {
             let back = reconstruct(&samples, kernel).edge(edge);
             for [x, v] in samples.points() {
-                // x is a few ε off its sample, where no kernel is steeper than π; the box jumps only half a step away
-                assert!((back.at(x) - v).abs() < 1e-12, "{}, {edge:?}", kernel.name());
+                // the one for the sample itself and zeros for all others: exactly, but for sums in closed form
+                let bound = if kernel.radius().is_finite() { 0.0 } else { 1e-14 };
+                assert!((back.at(x) - v).abs() <= bound, "{}, {edge:?}", kernel.name());
             }
         }
     }
