@@ -5,8 +5,14 @@
 
 pub mod alias;
 pub mod catalog;
+pub mod cubics;
+pub mod gibbs;
+pub mod hold;
+pub mod kernels;
+pub mod metrics;
 pub mod poisson;
 pub mod theorems;
+pub mod truncation;
 
 use crate::residual::Residual;
 use crate::text::Text;
