@@ -1,10 +1,11 @@
 //! All laws, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::laws::{Law, alias, poisson, theorems};
+use crate::laws::{Law, alias, frames, generalised, integration, jitter, poisson, theorems};
 
 /// The themes, each with its laws.
-static THEMES: &[&[Law]] = &[theorems::LAWS, poisson::LAWS, alias::LAWS];
+static THEMES: &[&[Law]] =
+    &[theorems::LAWS, poisson::LAWS, alias::LAWS, jitter::LAWS, integration::LAWS, generalised::LAWS, frames::LAWS];
 
 /// All laws.
 pub fn all() -> impl Iterator<Item = &'static Law> {

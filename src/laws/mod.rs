@@ -5,6 +5,10 @@
 
 pub mod alias;
 pub mod catalog;
+pub mod frames;
+pub mod generalised;
+pub mod integration;
+pub mod jitter;
 pub mod poisson;
 pub mod theorems;
 
