@@ -6,8 +6,25 @@ use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
 const FLOORS: [&str; 19] = [
-    "text", "error", "num", "residual", "axis", "spectrum", "signal", "nyquist", "kernel", "sampled", "comb",
-    "reconstruct", "beyond", "resolve", "laws", "figure", "plot", "gallery", "cli",
+    "text",
+    "error",
+    "num",
+    "residual",
+    "axis",
+    "spectrum",
+    "signal",
+    "nyquist",
+    "kernel",
+    "sampled",
+    "comb",
+    "reconstruct",
+    "beyond",
+    "resolve",
+    "laws",
+    "figure",
+    "plot",
+    "gallery",
+    "cli",
 ];
 
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
