@@ -1,7 +1,10 @@
 //! All laws, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::laws::{Law, alias, cubics, gibbs, hold, kernels, metrics, poisson, theorems, truncation};
+use crate::laws::{
+    Law, alias, cubics, frames, generalised, gibbs, hold, integration, jitter, kernels, metrics, poisson, theorems,
+    truncation,
+};
 
 /// The themes, each with its laws.
 static THEMES: &[&[Law]] = &[
@@ -14,6 +17,10 @@ static THEMES: &[&[Law]] = &[
     cubics::LAWS,
     metrics::LAWS,
     hold::LAWS,
+    jitter::LAWS,
+    integration::LAWS,
+    generalised::LAWS,
+    frames::LAWS,
 ];
 
 /// All laws.
