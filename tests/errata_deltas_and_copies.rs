@@ -4,7 +4,7 @@ use num_complex::Complex;
 use nyquist::prelude::*;
 
 fn bump() -> Spectrum {
-    RaisedCosine::new(0.4).unwrap().spectrum()
+    RaisedCosine::new(0.4).expect("the band is positive").spectrum()
 }
 
 #[test]
@@ -47,7 +47,11 @@ fn e19_deltas_with_deltas_add_their_places_and_multiply_their_weights() {
 
 /// The largest distance between the low-passed sum of the copies and the spectrum itself, off the edges.
 fn after_the_cut(spectrum: &Spectrum, rate: f64) -> f64 {
-    let cut = spectrum.replicated(rate, 8).unwrap().low_passed(0.5 * rate).unwrap();
+    let cut = spectrum
+        .replicated(rate, 8)
+        .expect("the rate is positive")
+        .low_passed(0.5 * rate)
+        .expect("the rate is positive");
     (-200..=200)
         .map(|i| 0.00501 * f64::from(i))
         .map(|nu| (cut.density(nu) - spectrum.density(nu)).norm())

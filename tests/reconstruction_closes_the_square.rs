@@ -8,7 +8,8 @@ use std::f64::consts::PI;
 /// Any data at all: 23 numbers from −1 to 1.
 fn data() -> Samples {
     let values = (0..23).map(|i| 2.0 * uniform(7, i, 0) - 1.0).collect();
-    Samples::new(Axis::new(-3.0, 0.7, 23).unwrap(), values).unwrap()
+    let axis = Axis::new(-3.0, 0.7, 23).expect("the step is positive");
+    Samples::new(axis, values).expect("as many numbers as places")
 }
 
 #[test]
