@@ -5,10 +5,12 @@
 //! same data that is drawn.
 
 pub mod aliasing;
+pub mod cardinal;
 pub mod catalog;
 pub mod common;
 pub mod display;
 pub mod folding;
+pub mod overview;
 pub mod params;
 pub mod problem;
 
