@@ -1,11 +1,19 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::figure::{Entry, aliasing, cardinal, display, folding, overview, problem};
+use crate::figure::{Entry, aliasing, cardinal, display, folding, overview, problem, remedies, theorem};
 
 /// The families, each with its entries.
-static FAMILIES: &[&[Entry]] =
-    &[display::ENTRIES, problem::ENTRIES, folding::ENTRIES, cardinal::ENTRIES, overview::ENTRIES, aliasing::ENTRIES];
+static FAMILIES: &[&[Entry]] = &[
+    display::ENTRIES,
+    problem::ENTRIES,
+    folding::ENTRIES,
+    cardinal::ENTRIES,
+    overview::ENTRIES,
+    aliasing::ENTRIES,
+    theorem::ENTRIES,
+    remedies::ENTRIES,
+];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.
 pub fn all() -> Vec<&'static Entry> {

@@ -13,6 +13,8 @@ pub mod folding;
 pub mod overview;
 pub mod params;
 pub mod problem;
+pub mod remedies;
+pub mod theorem;
 
 use crate::residual::Residual;
 use crate::text::Text;
