@@ -1,7 +1,9 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::figure::{Entry, aliasing, cardinal, display, folding, overview, problem, remedies, theorem};
+use crate::figure::{
+    Entry, aliasing, cardinal, display, folding, overview, prefilter, problem, remedies, supersample, theorem,
+};
 
 /// The families, each with its entries.
 static FAMILIES: &[&[Entry]] = &[
@@ -13,6 +15,8 @@ static FAMILIES: &[&[Entry]] = &[
     aliasing::ENTRIES,
     theorem::ENTRIES,
     remedies::ENTRIES,
+    prefilter::ENTRIES,
+    supersample::ENTRIES,
 ];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.

@@ -12,8 +12,10 @@ pub mod display;
 pub mod folding;
 pub mod overview;
 pub mod params;
+pub mod prefilter;
 pub mod problem;
 pub mod remedies;
+pub mod supersample;
 pub mod theorem;
 
 use crate::residual::Residual;
