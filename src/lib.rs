@@ -101,6 +101,7 @@ pub mod prelude {
     pub use crate::axis::{Axis, Edge, Unit};
     pub use crate::beyond::{
         BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery, TrigPolynomial,
+        occupied_band,
     };
     pub use crate::comb::Comb;
     pub use crate::error::{Error, Result};
