@@ -36,8 +36,9 @@ fn worst(restored: impl Fn(f64) -> f64) -> f64 {
     places().map(|x| (restored(x) - Carried.at(x)).abs()).fold(0.0, f64::max)
 }
 
-/// `|f| ≤ (20/πx)⁴`, so terms beyond N amount to less than `2·(20/π)⁴·2/(3N³)·(…)`: for N = 4000 below 4·10⁻⁸ per unit
-/// of kernel; the kernels themselves fall as 1/(πk), 2·10⁻⁴ there; the slopes are at most 2π times the values.
+/// What is allowed. Rounding: 8001 terms of which each is known to `ε·8001·2π` (the index times the steepest slope of a
+/// kernel of band 1) of its value or slope, which add up to at most 13 and 13·2π: 10⁻⁹. The tail is nothing beside it:
+/// `|f| ≤ (20/πx)⁴`, kernels fall as `1/(πk)`, and `2(20/π)⁴·2·Σ_{k>4000} k⁻⁵ < 10⁻¹¹`.
 const TAIL: f64 = 1e-9;
 
 #[test]
