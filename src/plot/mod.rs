@@ -19,6 +19,7 @@
 
 mod canvas;
 mod chart;
+mod elements;
 mod layout;
 mod legend;
 mod look;

@@ -122,17 +122,19 @@ impl Ruler {
         let candidates = (first..first + 4).flat_map(|e| [1.0, 2.0, 5.0].map(|m| (m, e)));
         let mut coarsest = Vec::new();
         for (mantissa, exponent) in candidates {
-            let at = |i: f64| {
-                if exponent < 0 { i * mantissa / power(-exponent) } else { i * mantissa * power(exponent) }
-            };
+            let unit = power(exponent.abs());
+            let at = |i: f64| if exponent < 0 { i * mantissa / unit } else { i * mantissa * unit };
             let step = at(1.0);
             let (a, b) = ((least / step - 1e-9).ceil(), (most / step + 1e-9).floor());
             let count = (b - a).max(-1.0) as usize + 1;
-            let values: Vec<f64> = (0..count.min(200)).map(|i| at(a + i as f64)).collect();
-            let ticks = labelled(&values, exponent, room.lang);
-            if ticks.len() < 2 {
+            if count < 2 {
                 break;
             }
+            if count > 3 * room.most {
+                continue; // far too many, and labels cost time
+            }
+            let values: Vec<f64> = (0..count).map(|i| at(a + i as f64)).collect();
+            let ticks = labelled(&values, exponent, room.lang);
             if ticks.len() <= room.most && self.fit(&ticks, room) {
                 return ticks;
             }
@@ -208,21 +210,33 @@ fn scaled(mantissa: f64, exponent: i32) -> f64 {
     format!("{mantissa}e{exponent}").parse().expect("a number in scientific notation can be read")
 }
 
-/// A number with as few digits as say it, for a reader of `lang`.
+/// A number with as few digits as say it, for a reader of `lang`; five digits and more stand in groups of three.
 fn short(value: f64, lang: Lang) -> String {
-    let digits = if value == 0.0 { "0".to_owned() } else { value.to_string() };
-    let minus = digits.replace('-', "−");
-    if lang == Lang::Ru { minus.replace('.', ",") } else { minus }
+    let digits = value.abs().to_string();
+    let (whole, part) = digits.split_once('.').unwrap_or((&digits, ""));
+    let mut out = if value < 0.0 { "−".to_owned() } else { String::new() };
+    for (i, digit) in whole.char_indices() {
+        if i > 0 && whole.len() > 4 && (whole.len() - i) % 3 == 0 {
+            out.push('\u{2009}');
+        }
+        out.push(digit);
+    }
+    if !part.is_empty() {
+        out.push(if lang == Lang::Ru { ',' } else { '.' });
+        out.push_str(part);
+    }
+    out
 }
 
 /// Labels for multiples of a step of the order `10^exponent`.
 fn labelled(values: &[f64], exponent: i32, lang: Lang) -> Vec<(f64, String)> {
     let most = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    let common = if most >= 1e5 || (most > 0.0 && most < 1e-3) { most.log10().floor() as i32 } else { 0 };
+    let common = if most >= 1e6 || (most > 0.0 && most < 1e-3) { most.log10().floor() as i32 } else { 0 };
     let decimals = (common - exponent).max(0) as usize;
+    let unit = power(common.abs());
     let label = |v: f64| {
         // Rounded to what the step needs, then as short as that number is.
-        let part = if common >= 0 { v / power(common) } else { v * power(-common) };
+        let part = if common >= 0 { v / unit } else { v * unit };
         let rounded: f64 = format!("{part:.decimals$}").parse().expect("a plain number can be read back");
         let digits = short(rounded + 0.0, lang);
         match common {
