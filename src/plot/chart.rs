@@ -138,7 +138,7 @@ impl Sheet<'_> {
         if upright {
             style = style.transform(FontTransform::Rotate270);
         }
-        Ok(self.root.draw_text(&text.text, &style, (fine(x), fine(y)))?)
+        self.root.draw_text(&text.text, &style, (fine(x), fine(y)))
     }
 
     /// A style of text for plotters; our canvas knows one family.

@@ -73,9 +73,10 @@ impl Margins {
     }
 }
 
-/// The length of a tick; plotters puts labels at twice that distance.
+/// The length of a tick. plotters puts labels at twice that distance: far enough that in the corner of the frame the
+/// lowest number on the left stays above the exponent of the first one below.
 pub(super) fn tick(sizes: &Sizes) -> f64 {
-    (5.0 * sizes.one).round()
+    0.3 * sizes.body
 }
 
 /// Everything of `figure` placed within `page`.

@@ -49,7 +49,9 @@ impl Painter<'_> {
             Mark::Notes(_) => Ok(()),
             Mark::Raster { x, y, values, low, high, tones } => {
                 let cells = raster::Cells { x: *x, y: *y, values, low: *low, high: *high, tones: *tones };
-                self.canvas.image(raster::image(&cells, self.x, self.y, self.plot, self.clip));
+                if let Some(image) = raster::image(&cells, self.x, self.y, self.plot, self.clip) {
+                    self.canvas.image(image);
+                }
                 Ok(())
             }
         }
