@@ -87,7 +87,7 @@ fn pictures_of_curves_are_small() {
 fn every_pdf_is_one_page_of_its_size_and_its_table_of_objects_is_right() {
     for (name, _, bytes) in written().iter().filter(|w| w.1 == Format::Pdf) {
         assert!(bytes.starts_with(b"%PDF-1.7") && bytes.ends_with(b"%%EOF"), "{name}");
-        let text = String::from_utf8_lossy(&bytes);
+        let text = String::from_utf8_lossy(bytes);
         let page = if name.ends_with("style 4") { "/MediaBox [0 0 720 540]" } else { "/MediaBox [0 0 960 540]" };
         assert!(text.contains(page), "{name}");
         let find = |what: &[u8], from: usize| from + bytes[from..].windows(what.len()).position(|w| w == what).unwrap();

@@ -18,9 +18,9 @@ pub(crate) struct Pixels {
 impl Pixels {
     pub(crate) fn of(scene: &Scene) -> Self {
         let bytes = scene.png();
-        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
-        let mut rgb = vec![0; reader.output_buffer_size().unwrap()];
-        let info = reader.next_frame(&mut rgb).unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
+        let mut rgb = vec![0; reader.output_buffer_size().expect("a size that fits")];
+        let info = reader.next_frame(&mut rgb).expect("a PNG");
         assert_eq!(info.color_type, png::ColorType::Rgb);
         Self { size: (info.width as usize, info.height as usize), rgb }
     }
