@@ -1,2 +1,7 @@
-//! The command.
-fn main() {}
+//! The command `nyquist`: parse, run, exit code.
+
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::run()
+}

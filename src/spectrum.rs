@@ -147,6 +147,29 @@ impl Spectrum {
         Self::build(density, lines, self.band.max(other.band), self.extent.max(other.extent))
     }
 
+    /// With one more line; the caller's constructor has checked that it is finite.
+    #[must_use]
+    pub(crate) fn plus_line(mut self, line: Impulse) -> Self {
+        self.lines.push(line);
+        Self::build(self.density, self.lines, self.band.max(line.at.abs()), self.extent.max(line.at.abs()))
+    }
+
+    /// `F·G`: the transform of the convolution. A line of one side is weighed by the density of the other; where lines
+    /// of both sides meet the product has no meaning (`δ²`: the convolution of two tones diverges) and nothing is left.
+    #[must_use]
+    pub fn multiplied(&self, other: &Self) -> Self {
+        let weigh = |lines: &[Impulse], by: &Self| {
+            let weighed = |l: &Impulse| Impulse { weight: l.weight * by.density(l.at), ..*l };
+            lines.iter().map(weighed).collect::<Vec<_>>()
+        };
+        let lines = [weigh(&self.lines, other), weigh(&other.lines, self)].concat();
+        let density: Option<Density> = match (self.density.clone(), other.density.clone()) {
+            (Some(f), Some(g)) => Some(Arc::new(move |nu| f(nu) * g(nu))),
+            _ => None,
+        };
+        Self::build(density, lines, self.band.min(other.band), self.extent.min(other.extent))
+    }
+
     /// `H(ν)·F(ν)`: the transform of the convolution with a filter whose response is `response`.
     #[must_use]
     pub fn times(&self, response: impl Fn(f64) -> Complex<f64> + Send + Sync + 'static) -> Self {

@@ -1,1 +1,17 @@
-//! Beyond uniform sampling: derivatives, interlaced and band-pass combs, irregular positions.
+//! Beyond uniform samples of a low band: what else determines a signal, and at what price.
+
+pub mod bandpass;
+pub mod derivative;
+pub mod interlaced;
+pub mod irregular;
+pub mod jitter;
+pub mod occupied;
+pub mod trigonometric;
+
+pub use bandpass::BandPass;
+pub use derivative::DerivativeSamples;
+pub use interlaced::Interlaced;
+pub use irregular::{Irregular, Recovery};
+pub use jitter::{Jitter, JitteredComb};
+pub use occupied::occupied_band;
+pub use trigonometric::TrigPolynomial;

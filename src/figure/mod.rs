@@ -4,6 +4,9 @@
 //! (`figure.layer("alias")`), and what its caption states is a list of [`Claim`]s, each a residual computed from the
 //! same data that is drawn.
 
+pub mod aliasing;
+pub mod catalog;
+pub mod common;
 pub mod params;
 
 use crate::residual::Residual;

@@ -3,7 +3,20 @@
 //! Tests, figures, the command line, notebooks and exercises all call them. A law that cannot fail is no law: each is
 //! also run on an object that breaks it.
 
+pub mod alias;
 pub mod catalog;
+pub mod cubics;
+pub mod frames;
+pub mod generalised;
+pub mod gibbs;
+pub mod hold;
+pub mod integration;
+pub mod jitter;
+pub mod kernels;
+pub mod metrics;
+pub mod poisson;
+pub mod theorems;
+pub mod truncation;
 
 use crate::residual::Residual;
 use crate::text::Text;

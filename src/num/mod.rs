@@ -1,7 +1,11 @@
 //! The ground floor: numbers that the field needs and the standard library lacks.
 
+pub mod extremum;
+pub mod faddeeva;
 pub mod quadrature;
 pub mod random;
 mod sinc;
+pub mod special;
+pub mod svd;
 
-pub use sinc::{cos_pi, sin_pi, sinc};
+pub use sinc::{cos_pi, sin_pi, sinc, sinc_slope};

@@ -46,3 +46,28 @@ pub fn sinc(t: f64) -> f64 {
     // Below 1e-8 the next term (πt)²/6 is under ε/2.
     if t.abs() < 1e-8 { 1.0 } else { sin_pi(t) / (PI * t) }
 }
+
+/// The derivative `sinc′(t) = (cos(πt) − sinc(t))/t`, zero at zero.
+///
+/// Within ¼ of zero the difference cancels, and its Taylor series `−π²t/3 + π⁴t³/30 − …` is summed instead.
+///
+/// ```
+/// use nyquist::num::{sinc, sinc_slope};
+/// assert_eq!((sinc_slope(0.0), sinc_slope(1.0), sinc_slope(2.0)), (0.0, -1.0, 0.5));
+/// ```
+pub fn sinc_slope(t: f64) -> f64 {
+    if t.abs() >= 0.25 {
+        return (cos_pi(t) - sinc(t)) / t;
+    }
+    // sinc t = Σ (−1)^m (πt)^{2m}/(2m+1)!, differentiated term by term; nine terms reach ε at ¼
+    let square = (PI * t) * (PI * t);
+    let mut power = -PI * PI * t / 3.0;
+    let mut sum = 0.0;
+    for m in 1..10 {
+        sum += power;
+        let m = f64::from(m);
+        // from m to m + 1: (2m+2)/(2m) over (2m+2)(2m+3)
+        power *= -square / (2.0 * m * (2.0 * m + 3.0));
+    }
+    sum
+}

@@ -29,6 +29,17 @@ impl Bins {
         }
     }
 
+    /// Values that are known to fit.
+    pub(crate) fn trusted(space: Axis, values: Vec<Complex<f64>>) -> Self {
+        debug_assert_eq!(space.len(), values.len());
+        Self { space, values }
+    }
+
+    /// The values alone.
+    pub(crate) fn into_values(self) -> Vec<Complex<f64>> {
+        self.values
+    }
+
     /// The axis of the samples in space.
     pub fn space(&self) -> Axis {
         self.space

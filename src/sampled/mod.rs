@@ -1,7 +1,12 @@
 //! Discrete signals and their spectra: [`Samples`], [`Bins`], and the discrete Fourier transform in physical units.
 
 mod bins;
+pub mod convolution;
+pub mod dft;
+pub mod dtft;
+pub mod power;
 mod samples;
+pub mod window;
 
 pub use bins::Bins;
 pub use samples::Samples;

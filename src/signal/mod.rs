@@ -1,5 +1,18 @@
 //! Continuous signals, and those among them whose Fourier transform is known in closed form.
 
+pub mod boxcar;
+pub mod chirp;
+pub mod constant;
+pub mod decay;
+pub mod gaussian;
+pub mod lecture;
+pub mod raised_cosine;
+pub mod series;
+pub mod sinc;
+pub mod tent;
+pub mod theorem;
+pub mod tone;
+
 use crate::spectrum::Spectrum;
 
 /// A continuous signal: real, total (every finite `x` has a value) and pure. At a jump its value is the mean of both

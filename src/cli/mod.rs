@@ -1,0 +1,91 @@
+//! The command line: one subcommand a file, each from arguments to a library call to text.
+
+mod figures;
+mod files;
+mod kernel;
+mod laws;
+
+use clap::{Parser, Subcommand};
+use std::fmt::Display;
+use std::io::{self, ErrorKind, Write};
+use std::process::ExitCode;
+
+/// Sampling and reconstruction: the lecture's figures, computed, and the theorems behind them, checked.
+///
+/// Without a subcommand it does the main job: it computes every figure, checks what each claims, and writes SVG, PNG
+/// and PDF in both languages into the folder `figures`.
+#[derive(Debug, Parser)]
+#[command(version, args_conflicts_with_subcommands = true, after_help = AFTER)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    figures: figures::Args,
+}
+
+const AFTER: &str = "Exit codes: 0 done, 1 a check failed, 2 usage or input/output.
+
+Examples:
+  nyquist                                  every figure, into figures/
+  nyquist f28-leak --set T=0.9             one figure with another step
+  nyquist laws                             every theorem, measured against its bound";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Compute figures, check their claims, write them as SVG, PNG and PDF
+    Figures(figures::Args),
+    /// Check the theorems: what was measured beside what theory allows
+    Laws(laws::Args),
+    /// List the reconstruction kernels, or tabulate one and its response
+    Kernel(kernel::Args),
+}
+
+/// Why the exit code is not zero.
+#[derive(Debug)]
+enum Failure {
+    /// A check failed: exit code 1. What failed has been printed.
+    Check,
+    /// Usage, input or output: exit code 2.
+    Trouble(String),
+    /// The reader of a pipe has gone: nobody left to tell, and nothing wrong.
+    ClosedPipe,
+}
+
+impl From<nyquist::error::Error> for Failure {
+    fn from(error: nyquist::error::Error) -> Self {
+        Self::Trouble(error.to_string())
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        if error.kind() == ErrorKind::BrokenPipe { Self::ClosedPipe } else { Self::Trouble(error.to_string()) }
+    }
+}
+
+impl Failure {
+    fn trouble(what: impl Display, error: impl Display) -> Self {
+        Self::Trouble(format!("{what}: {error}"))
+    }
+}
+
+/// Parses the arguments, runs the command, and says what went wrong.
+pub(crate) fn run() -> ExitCode {
+    let cli = Cli::parse();
+    let mut out = io::stdout().lock();
+    let done = match cli.command {
+        None => figures::run(&cli.figures, &mut out),
+        Some(Command::Figures(args)) => figures::run(&args, &mut out),
+        Some(Command::Laws(args)) => laws::run(&args, &mut out),
+        Some(Command::Kernel(args)) => kernel::run(&args, &mut out),
+    };
+    match done.and_then(|()| Ok(out.flush()?)) {
+        Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
+        Err(Failure::Check) => ExitCode::from(1),
+        Err(Failure::Trouble(message)) => {
+            // if standard error is gone as well, the exit code says it all
+            let _ = writeln!(io::stderr(), "error: {message}");
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! All figures, in the order of the lecture.
+
+use crate::error::{Result, unknown};
+use crate::figure::{Entry, aliasing};
+
+/// The families, each with its entries.
+static FAMILIES: &[&[Entry]] = &[aliasing::ENTRIES];
+
+/// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.
+pub fn all() -> Vec<&'static Entry> {
+    let mut entries: Vec<&Entry> = FAMILIES.iter().copied().flatten().collect();
+    entries.sort_by_key(|entry| entry.id);
+    entries
+}
+
+/// The figure of that id, or the first that covers that entry of the lecture's inventory (`F28`).
+///
+/// # Errors
+/// An unknown name; the known ones stand in the error, nearest first.
+pub fn by_name(name: &str) -> Result<&'static Entry> {
+    let found = all().into_iter().find(|entry| entry.id == name || entry.inventory.contains(&name));
+    found.ok_or_else(|| unknown("figure", name, all().iter().map(|entry| entry.id)))
+}

@@ -1,1 +1,0 @@
-//! Folding, verdicts and rates.
