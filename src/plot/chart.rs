@@ -138,7 +138,7 @@ impl Sheet<'_> {
         if upright {
             style = style.transform(FontTransform::Rotate270);
         }
-        Ok(self.root.draw_text(&text.text, &style, (fine(x), fine(y)))?)
+        self.root.draw_text(&text.text, &style, (fine(x), fine(y)))
     }
 
     /// A style of text for plotters; our canvas knows one family.
@@ -152,8 +152,7 @@ impl Sheet<'_> {
         let half = 0.5 * typeset::width(&title.text, Face::Bold, title.size);
         let (least, most) = (placed.cell.left + half, placed.cell.right - half);
         let x = (0.5 * (plot.left + plot.right)).min(most).max(least);
-        let rows = placed.rows() + if placed.rows() > 0.0 { 0.15 * self.sizes.body } else { 0.0 };
-        let baseline = plot.top - rows - 0.45 * self.sizes.body;
+        let baseline = plot.top - placed.rows() - 0.6 * self.sizes.body;
         self.write(title, FontStyle::Bold, (x, baseline), VPos::Bottom, false)
     }
 

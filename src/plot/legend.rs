@@ -3,9 +3,9 @@
 use super::Failure;
 use super::canvas::With;
 use super::chart::{Frame, Sheet};
+use super::elements::corners;
 use super::layout::Placed;
 use super::look::{Look, Marker, Sizes, filled, stroke};
-use super::marks::marker;
 use super::palette::table;
 use super::ruler::Ruler;
 use super::scene::{FINE, Image, fine};
@@ -64,40 +64,54 @@ fn lines(entry: &Entry<'_>) -> f64 {
     entry.label.lines().count().max(1) as f64
 }
 
-/// A legend in rows `room` wide; places are relative to the upper left corner of the rows. Returns it and its height.
-pub(super) fn rows<'a>(panel: &'a Panel, sizes: &Sizes, lang: Lang, room: f64) -> Option<(Listed<'a>, f64)> {
+/// A legend in rows at most `room` wide, as few as hold it and equally full; places are relative to the upper left
+/// corner of the rows.
+pub(super) fn rows<'a>(panel: &'a Panel, sizes: &Sizes, lang: Lang, room: f64) -> Option<Listed<'a>> {
     let mut entries = entries(panel, lang);
-    if panel.legend != Legend::Above || entries.is_empty() {
+    if entries.is_empty() {
         return None;
     }
     let size = sizes.body;
-    let (mut left, mut row, mut tall) = (0.0, 0.0, 1.0_f64);
     for entry in &mut entries {
         (entry.label, _) = typeset::fit(&entry.label, Face::Regular, size, size, room - (SAMPLE + GAP) * size);
+    }
+    let count = flowed(&mut entries, size, room);
+    let (mut narrow, mut wide) = (0.0, room);
+    for _ in 0..10 {
+        let middle = 0.5 * (narrow + wide);
+        if flowed(&mut entries, size, middle) > count { narrow = middle } else { wide = middle }
+    }
+    flowed(&mut entries, size, wide);
+    Some(Listed { entries, size, frame: None })
+}
+
+/// Places entries in rows and counts the rows.
+fn flowed(entries: &mut [Entry<'_>], size: f64, room: f64) -> usize {
+    let (mut left, mut row, mut tall, mut count) = (0.0, 0.0, 1.0_f64, 1);
+    for entry in entries {
         if left > 0.0 && left + width(entry, size) > room {
             row += LINE + LEADING * (tall - 1.0);
-            (left, tall) = (0.0, 1.0);
+            (left, tall, count) = (0.0, 1.0, count + 1);
         }
         entry.left = left;
         entry.middle = (row + LINE / 2.0 + 0.5 * LEADING * (lines(entry) - 1.0)) * size;
         tall = tall.max(lines(entry));
         left += width(entry, size) + BETWEEN * size;
     }
-    let height = (row + LINE + LEADING * (tall - 1.0)) * size;
-    Some((Listed { entries, size, frame: None }, height))
+    count
 }
 
 /// A legend in a corner of the plot: the one that the panel names, unless it would hide data there and another corner
-/// is free.
+/// is free. With it comes whether it hides data even so, because all corners do.
 pub(super) fn boxed<'a>(
     panel: &'a Panel,
     sizes: &Sizes,
     lang: Lang,
     plot: Frame,
     (x, y): (&Ruler, &Ruler),
-) -> Option<Listed<'a>> {
+) -> Option<(Listed<'a>, bool)> {
     let mut entries = entries(panel, lang);
-    if panel.legend == Legend::Above || entries.is_empty() {
+    if entries.is_empty() {
         return None;
     }
     let room = 0.62 * plot.width();
@@ -139,7 +153,7 @@ pub(super) fn boxed<'a>(
         (entry.left, entry.middle) = (frame.left + pad, top + height / 2.0);
         top += height;
     }
-    Some(Listed { entries, size, frame: Some(frame) })
+    Some((Listed { entries, size, frame: Some(frame) }, hidden(corner) > 0))
 }
 
 /// How many data of the panel lie under `frame`; points of curves count also where they are between data.
@@ -157,8 +171,13 @@ fn covered(panel: &Panel, frame: Frame, plot: Frame, x: &Ruler, y: &Ruler) -> us
     let count = |layer: &Layer| match &layer.mark {
         Mark::Line(p) => p.windows(2).filter(|w| crosses(place(w[0][0], w[0][1]), place(w[1][0], w[1][1]))).count(),
         Mark::Dots(p) => p.iter().filter(|p| under(place(p[0], p[1]))).count(),
-        Mark::Stems(p) | Mark::Arrows(p) | Mark::Bars { points: p, .. } => {
-            p.iter().filter(|p| crosses(place(p[0], base), place(p[0], p[1]))).count()
+        Mark::Stems(p) | Mark::Arrows(p) => p.iter().filter(|p| crosses(place(p[0], base), place(p[0], p[1]))).count(),
+        Mark::Bars { width, points } => {
+            let bar = |p: &&[f64; 2]| {
+                let edges = [-0.5, 0.0, 0.5].map(|side| p[0] + side * width);
+                edges.into_iter().any(|x| crosses(place(x, base), place(x, p[1])))
+            };
+            points.iter().filter(bar).count()
         }
         Mark::Pointers(p) => p.iter().filter(|[a, b]| crosses(place(a[0], a[1]), place(b[0], b[1]))).count(),
         Mark::Notes(notes) => notes.iter().filter(|(p, _)| under(place(p[0], p[1]))).count(),
@@ -169,10 +188,10 @@ fn covered(panel: &Panel, frame: Frame, plot: Frame, x: &Ruler, y: &Ruler) -> us
 }
 
 impl Listed<'_> {
-    /// How high the rows above a plot are.
+    /// How high the rows above a plot are, with the gap to it.
     pub(super) fn height(&self) -> f64 {
         let bottom = |e: &Entry<'_>| e.middle + (0.5 * LINE + 0.5 * LEADING * (lines(e) - 1.0)) * self.size;
-        self.entries.iter().map(bottom).fold(0.0, f64::max)
+        self.entries.iter().map(bottom).fold(0.0, f64::max) + 0.3 * self.size
     }
 }
 
@@ -189,7 +208,7 @@ impl Sheet<'_> {
         } else {
             let widest = listed.entries.iter().map(|e| e.left + width(e, size)).fold(0.0, f64::max);
             let left = placed.plot.left + 0.5 * (placed.plot.width() - widest).max(0.0);
-            origin = (left, placed.plot.top - 0.15 * self.sizes.body - listed.height());
+            origin = (left, placed.plot.top - listed.height());
         }
         for entry in &listed.entries {
             let (x, y) = (origin.0 + entry.left, origin.1 + entry.middle);
@@ -218,9 +237,9 @@ impl Sheet<'_> {
             if look.marker == Marker::Circle {
                 self.root.draw(&Circle::new(place, (radius * FINE).round() as i32, filled(look.rgb, 1.0)))?;
             } else {
-                let corners: Vec<_> =
-                    marker(look.marker, radius).into_iter().map(|c| (c.0 + place.0, c.1 + place.1)).collect();
-                self.root.draw(&Polygon::new(corners, filled(look.rgb, 1.0)))?;
+                let points: Vec<_> =
+                    corners(look.marker, radius).into_iter().map(|c| (c.0 + place.0, c.1 + place.1)).collect();
+                self.root.draw(&Polygon::new(points, filled(look.rgb, 1.0)))?;
             }
             Ok(())
         };
@@ -251,7 +270,7 @@ impl Sheet<'_> {
             }
             Mark::Area(_) => self.root.draw(&area(0.4))?,
             Mark::Bars { .. } => self.root.draw(&area(0.8))?,
-            Mark::Spans(_) => self.root.draw(&area(0.2))?,
+            Mark::Spans(_) => self.root.draw(&area(0.35))?,
             Mark::Verticals(_) => self.root.draw(&path(vec![at(0.5, 0.45), at(0.5, -0.45)]))?,
             Mark::Notes(_) => {}
             Mark::Raster { tones, .. } => {

@@ -19,6 +19,7 @@
 
 mod canvas;
 mod chart;
+mod elements;
 mod layout;
 mod legend;
 mod look;
@@ -34,7 +35,7 @@ mod svg;
 mod typeset;
 
 pub use palette::{Rgb, Theme};
-pub use scene::Scene;
+pub use scene::{Label, Scene};
 
 use crate::error::{Error, Result, unknown};
 use crate::figure::Figure;
