@@ -7,7 +7,10 @@
 pub mod aliasing;
 pub mod catalog;
 pub mod common;
+pub mod display;
+pub mod folding;
 pub mod params;
+pub mod problem;
 
 use crate::residual::Residual;
 use crate::text::Text;
