@@ -23,7 +23,7 @@ pub mod text;
 pub mod prelude {
     pub use crate::axis::{Axis, Edge, Unit};
     pub use crate::beyond::{
-        BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery, TrigPolynomial,
+        BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery, Refined, TrigPolynomial,
     };
     pub use crate::comb::Comb;
     pub use crate::error::{Error, Result};

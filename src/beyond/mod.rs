@@ -5,6 +5,7 @@ pub mod derivative;
 pub mod interlaced;
 pub mod irregular;
 pub mod jitter;
+pub mod refined;
 pub mod trigonometric;
 
 pub use bandpass::BandPass;
@@ -12,4 +13,5 @@ pub use derivative::DerivativeSamples;
 pub use interlaced::Interlaced;
 pub use irregular::{Irregular, Recovery};
 pub use jitter::{Jitter, JitteredComb};
+pub use refined::{Refined, Refinement};
 pub use trigonometric::TrigPolynomial;

@@ -1,10 +1,10 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::figure::{Entry, aliasing};
+use crate::figure::{Entry, aliasing, jitter, stochastic};
 
 /// The families, each with its entries.
-static FAMILIES: &[&[Entry]] = &[aliasing::ENTRIES];
+static FAMILIES: &[&[Entry]] = &[aliasing::ENTRIES, stochastic::ENTRIES, jitter::ENTRIES];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.
 pub fn all() -> Vec<&'static Entry> {

@@ -7,7 +7,9 @@
 pub mod aliasing;
 pub mod catalog;
 pub mod common;
+pub mod jitter;
 pub mod params;
+pub mod stochastic;
 
 use crate::residual::Residual;
 use crate::text::Text;
