@@ -1,10 +1,11 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::figure::{Entry, aliasing, jitter, stochastic};
+use crate::figure::{Entry, adaptive, aliasing, gibbs, jitter, sources, stochastic};
 
 /// The families, each with its entries.
-static FAMILIES: &[&[Entry]] = &[aliasing::ENTRIES, stochastic::ENTRIES, jitter::ENTRIES];
+static FAMILIES: &[&[Entry]] =
+    &[aliasing::ENTRIES, stochastic::ENTRIES, jitter::ENTRIES, adaptive::ENTRIES, gibbs::ENTRIES, sources::ENTRIES];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.
 pub fn all() -> Vec<&'static Entry> {

@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::beyond::jitter::{Jitter, JitteredComb};
 use crate::error::Result;
-use crate::figure::common::{frequency, space, values};
+use crate::figure::common::{frequency, space};
 use crate::figure::params::{Param, Params};
 use crate::figure::stochastic::{DEVIATIONS, Mean, PATTERNS, SEED, averaged, powers, worst_deviation};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
@@ -212,8 +212,8 @@ fn tone(params: &Params) -> Result<Figure> {
         .with(displayed_panel.panel(&displayed, COUNT))
         .claim(
             text!(
-                "in place: the noise is P(ν − ν_{0})/4 + P(ν + ν_{0})/4, {} at the alias' place",
-                "на местах: шум равен P(ν − ν_{0})/4 + P(ν + ν_{0})/4, на месте алиаса {}",
+                "in place: the noise is P(ν − ν₀)/4 + P(ν + ν₀)/4, {} at the alias' place",
+                "на местах: шум равен P(ν − ν₀)/4 + P(ν + ν₀)/4, на месте алиаса {}",
                 number(of_placed.density(alias).re, 3)
             ),
             Residual::at_most(
@@ -224,8 +224,8 @@ fn tone(params: &Params) -> Result<Figure> {
         )
         .claim(
             text!(
-                "in pixels: the alias keeps sinc²(aν_{0}) = {} of its power, the rest is white noise of {}",
-                "в пикселях: алиас сохраняет sinc²(aν_{0}) = {} мощности, остальное — белый шум {}",
+                "in pixels: the alias keeps sinc²(aν₀) = {} of its power, the rest is white noise of {}",
+                "в пикселях: алиас сохраняет sinc²(aν₀) = {} мощности, остальное — белый шум {}",
                 number(residual_alias, 3),
                 number(of_displayed.density(alias).re, 3)
             ),

@@ -4,11 +4,14 @@
 //! (`figure.layer("alias")`), and what its caption states is a list of [`Claim`]s, each a residual computed from the
 //! same data that is drawn.
 
+pub mod adaptive;
 pub mod aliasing;
 pub mod catalog;
 pub mod common;
+pub mod gibbs;
 pub mod jitter;
 pub mod params;
+pub mod sources;
 pub mod stochastic;
 
 use crate::residual::Residual;

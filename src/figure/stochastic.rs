@@ -252,7 +252,7 @@ fn random(params: &Params) -> Result<Figure> {
         "statistics",
         text!("how often which power", "как часто какая мощность"),
         values("P", 0.0, 6.0),
-        { Scale::linear(text!("density", "плотность"), 0.0, 1.15) },
+        Scale::linear(text!("density", "плотность"), 0.0, 1.15),
     )
     .legend(Legend::UpperRight)
     .with(
