@@ -1,10 +1,87 @@
-//! Sampling and reconstruction.
+//! Sampling and reconstruction, in numbers that can be checked.
+//!
+//! The crate is one square. Four nouns stand at its corners, and the arrows between them are the lecture that it
+//! accompanies (A. Ignatenko, image synthesis, lecture 9, 2011):
+//!
+//! ```text
+//!                  sample (× Ш)
+//!   Signal  ───────────────────────▶  Samples        space / time
+//!     │     ◀───────────────────────     │
+//!     │           reconstruct (∗ r)      │
+//!  Fourier                              DFT
+//!     │                                  │
+//!     ▼        replicate (∗ Ш), fold     ▼
+//!  Spectrum ───────────────────────▶  Bins           frequency
+//!           ◀───────────────────────
+//!                low-pass (× Π)
+//!  continuous                       discrete
+//! ```
+//!
+//! Sampling is a product with the comb in space and a convolution with the comb in frequency; reconstruction is a
+//! convolution with a kernel in space and a product with its response in frequency. The lecture is the statement that
+//! the square commutes up to aliasing:
+//!
+//! ```
+//! use nyquist::prelude::*;
+//!
+//! // A signal that is band-limited to B = 1, and its spectrum in closed form
+//! let f = RaisedCosine::new(1.0)?;
+//! assert_eq!(f.spectrum().band(), 1.0);
+//!
+//! // Round the square one way: sample at 2.5 > 2B, and transform …
+//! let samples = Samples::of(&f, Axis::centered(0.4, 4001)?);
+//! let bins = forward(&samples);
+//! // … or the other way: transform, and replicate. The same numbers.
+//! let copies = f.spectrum().replicated(2.5, 1)?;
+//! let worst = bins.axis().iter().zip(bins.values()).map(|(nu, v)| (v - copies.density(nu)).norm());
+//! assert!(worst.fold(0.0, f64::max) < 1e-7); // what lies beyond the record
+//!
+//! // And back: the ideal kernel returns the signal between the samples
+//! let back = reconstruct(&samples, Ideal);
+//! assert!((back.at(0.123) - f.at(0.123)).abs() < 1e-9);
+//!
+//! // Too slow, and a tone at 0.9 of the rate is indistinguishable from one at 0.1
+//! assert!((fold(0.9, 1.0) - 0.1).abs() < 1e-15);
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! # Conventions
+//!
+//! | matter | decision |
+//! | --- | --- |
+//! | transform | `F(ν) = ∫ f(x) e^{−2πiνx} dx`, ordinary frequency in cycles per unit, no factor in either direction |
+//! | comb | `Ш_T(x) = T Σ δ(x − iT)`, so that its transform is `Σ δ(ν − i/T)` and the replicas have gain 1 |
+//! | sinc | `sinc(t) = sin(πt)/(πt)` |
+//! | reconstruction | `f̃(x) = Σ f(x_i) k((x − x_i)/T)`: kernels are written in units of the step, `r(x) = k(x/T)/T` |
+//! | intervals | half-open; [`Axis::nodes`](axis::Axis::nodes) starts at the start, [`Axis::cells`](axis::Axis::cells) sits at the middles |
+//! | order of bins | rising frequency, zero at index `n/2` (integer division) |
+//! | at a jump | the mean of both sides (the box is ½ at its edge) |
+//! | Nyquist | Nyquist frequency = rate/2, Nyquist rate = 2B; a rate must be *greater* than 2B where the spectrum has a line at B |
+//! | edges | [`Edge`](axis::Edge): zero, clamp, wrap, mirror |
+//! | deltas | weights, never tall samples: a spectrum's lines are (position, weight) |
+//! | randomness | a pure function of (seed, index, dimension) |
+//!
+//! # Laws
+//!
+//! A theorem is a function that returns what was measured beside what theory allows: a
+//! [`Residual`](residual::Residual). Tests, figures and the command line call the same functions; [`laws`] has them,
+//! and each is also run on an object that breaks it.
+//!
+//! # Features
+//!
+//! | feature | adds |
+//! | --- | --- |
+//! | none | the library: transforms, sampling, replication, kernels, reconstruction, laws, and figures as data |
+//! | `plot` | figures drawn as SVG, PNG and PDF (plotters, and an embedded font: nothing of the system is used) |
+//! | `cli` (default) | the command `nyquist` |
 
 pub mod axis;
 pub mod beyond;
 pub mod comb;
 pub mod error;
 pub mod figure;
+#[cfg(feature = "plot")]
+pub mod gallery;
 pub mod kernel;
 pub mod laws;
 pub mod num;
