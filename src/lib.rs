@@ -99,7 +99,9 @@ pub mod text;
 /// What users, notebooks and exercises import; nothing inside the library does.
 pub mod prelude {
     pub use crate::axis::{Axis, Edge, Unit};
-    pub use crate::beyond::{BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery};
+    pub use crate::beyond::{
+        BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery, Refined,
+    };
     pub use crate::comb::Comb;
     pub use crate::error::{Error, Result};
     pub use crate::kernel::box_kernel::BoxKernel;
