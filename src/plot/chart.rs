@@ -152,7 +152,7 @@ impl Sheet<'_> {
         let half = 0.5 * typeset::width(&title.text, Face::Bold, title.size);
         let (least, most) = (placed.cell.left + half, placed.cell.right - half);
         let x = (0.5 * (plot.left + plot.right)).min(most).max(least);
-        let baseline = plot.top - placed.rows() - 0.6 * self.sizes.body;
+        let baseline = plot.top - placed.raised - 0.6 * self.sizes.body;
         self.write(title, FontStyle::Bold, (x, baseline), VPos::Bottom, false)
     }
 
