@@ -1,7 +1,9 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::figure::{Entry, adaptive, aliasing, display, folding, gibbs, jitter, problem, sources, stochastic};
+use crate::figure::{
+    Entry, adaptive, aliasing, cardinal, display, folding, gibbs, jitter, overview, problem, sources, stochastic,
+};
 
 /// The families, each with its entries.
 static FAMILIES: &[&[Entry]] = &[
@@ -14,6 +16,8 @@ static FAMILIES: &[&[Entry]] = &[
     adaptive::ENTRIES,
     gibbs::ENTRIES,
     sources::ENTRIES,
+    cardinal::ENTRIES,
+    overview::ENTRIES,
 ];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.

@@ -6,12 +6,14 @@
 
 pub mod adaptive;
 pub mod aliasing;
+pub mod cardinal;
 pub mod catalog;
 pub mod common;
 pub mod display;
 pub mod folding;
 pub mod gibbs;
 pub mod jitter;
+pub mod overview;
 pub mod params;
 pub mod problem;
 pub mod sources;
