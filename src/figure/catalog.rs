@@ -2,8 +2,8 @@
 
 use crate::error::{Result, unknown};
 use crate::figure::{
-    Entry, adaptive, aliasing, convolution, display, folding, formal, fourier, gibbs, jitter, low_pass, pairs, problem,
-    replicas, sampling, series, sources, stochastic,
+    Entry, adaptive, aliasing, cardinal, convolution, display, folding, formal, fourier, gibbs, jitter, low_pass,
+    overview, pairs, problem, replicas, sampling, series, sources, stochastic,
 };
 
 /// The families, each with its entries.
@@ -25,6 +25,8 @@ static FAMILIES: &[&[Entry]] = &[
     adaptive::ENTRIES,
     gibbs::ENTRIES,
     sources::ENTRIES,
+    cardinal::ENTRIES,
+    overview::ENTRIES,
 ];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.

@@ -6,6 +6,7 @@
 
 pub mod adaptive;
 pub mod aliasing;
+pub mod cardinal;
 pub mod catalog;
 pub mod common;
 pub mod convolution;
@@ -16,6 +17,7 @@ pub mod fourier;
 pub mod gibbs;
 pub mod jitter;
 pub mod low_pass;
+pub mod overview;
 pub mod pairs;
 pub mod params;
 pub mod problem;
