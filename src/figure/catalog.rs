@@ -2,14 +2,23 @@
 
 use crate::error::{Result, unknown};
 use crate::figure::{
-    Entry, adaptive, aliasing, cardinal, display, folding, gibbs, jitter, overview, problem, sources, stochastic,
+    Entry, adaptive, aliasing, cardinal, convolution, display, folding, formal, fourier, gibbs, jitter, low_pass,
+    overview, pairs, problem, replicas, sampling, series, sources, stochastic,
 };
 
 /// The families, each with its entries.
 static FAMILIES: &[&[Entry]] = &[
     display::ENTRIES,
     problem::ENTRIES,
+    sampling::ENTRIES,
     folding::ENTRIES,
+    formal::ENTRIES,
+    series::ENTRIES,
+    fourier::ENTRIES,
+    pairs::ENTRIES,
+    convolution::ENTRIES,
+    replicas::ENTRIES,
+    low_pass::ENTRIES,
     aliasing::ENTRIES,
     stochastic::ENTRIES,
     jitter::ENTRIES,
