@@ -1,13 +1,9 @@
 //! What is written in a picture can be read: whole, apart, large enough, in both languages.
 
-#![cfg(feature = "plot")]
-
-mod plot_samples;
-
+use crate::samples::all;
 use nyquist::figure::{Figure, Layer, Meaning, Panel, Scale};
 use nyquist::plot::{Label, Style, Theme, draw};
 use nyquist::text::{Lang, Text};
-use plot_samples::all;
 
 fn labels(title: &Text, figure: &Figure, style: &Style) -> Vec<Label> {
     draw(title, &Text::EMPTY, figure, style).labels()
