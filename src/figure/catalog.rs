@@ -3,7 +3,7 @@
 use crate::error::{Result, unknown};
 use crate::figure::{
     Entry, adaptive, aliasing, cardinal, convolution, display, folding, formal, fourier, gibbs, jitter, low_pass,
-    overview, pairs, problem, replicas, sampling, series, sources, stochastic,
+    overview, pairs, problem, remedies, replicas, sampling, series, sources, stochastic, theorem,
 };
 
 /// The families, each with its entries.
@@ -27,6 +27,8 @@ static FAMILIES: &[&[Entry]] = &[
     sources::ENTRIES,
     cardinal::ENTRIES,
     overview::ENTRIES,
+    theorem::ENTRIES,
+    remedies::ENTRIES,
 ];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.

@@ -21,11 +21,13 @@ pub mod overview;
 pub mod pairs;
 pub mod params;
 pub mod problem;
+pub mod remedies;
 pub mod replicas;
 pub mod sampling;
 pub mod series;
 pub mod sources;
 pub mod stochastic;
+pub mod theorem;
 
 use crate::residual::Residual;
 use crate::text::Text;
