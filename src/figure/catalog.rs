@@ -1,7 +1,10 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::figure::{Entry, adaptive, aliasing, display, folding, gibbs, jitter, problem, sources, stochastic};
+use crate::figure::further::{bandpass, chirp, cubics, filters, generalised, irregular, truncation};
+use crate::figure::{
+    Entry, adaptive, aliasing, choice, display, film, folding, gibbs, jitter, problem, sources, stochastic,
+};
 
 /// The families, each with its entries.
 static FAMILIES: &[&[Entry]] = &[
@@ -14,6 +17,15 @@ static FAMILIES: &[&[Entry]] = &[
     adaptive::ENTRIES,
     gibbs::ENTRIES,
     sources::ENTRIES,
+    film::ENTRIES,
+    choice::ENTRIES,
+    chirp::ENTRIES,
+    filters::ENTRIES,
+    truncation::ENTRIES,
+    cubics::ENTRIES,
+    generalised::ENTRIES,
+    bandpass::ENTRIES,
+    irregular::ENTRIES,
 ];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.

@@ -7,11 +7,15 @@
 pub mod adaptive;
 pub mod aliasing;
 pub mod catalog;
+pub mod choice;
 pub mod common;
 pub mod display;
+pub mod film;
 pub mod folding;
+pub mod further;
 pub mod gibbs;
 pub mod jitter;
+pub mod labels;
 pub mod params;
 pub mod problem;
 pub mod sources;
