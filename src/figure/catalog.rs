@@ -1,9 +1,10 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
+use crate::figure::further::{bandpass, chirp, cubics, filters, generalised, irregular, truncation};
 use crate::figure::{
-    Entry, adaptive, aliasing, cardinal, convolution, display, folding, formal, fourier, gibbs, jitter, low_pass,
-    overview, pairs, problem, remedies, replicas, sampling, series, sources, stochastic, theorem,
+    Entry, adaptive, aliasing, cardinal, choice, convolution, display, film, folding, formal, fourier, gibbs, jitter,
+    low_pass, overview, pairs, problem, remedies, replicas, sampling, series, sources, stochastic, theorem,
 };
 
 /// The families, each with its entries.
@@ -29,6 +30,15 @@ static FAMILIES: &[&[Entry]] = &[
     overview::ENTRIES,
     theorem::ENTRIES,
     remedies::ENTRIES,
+    film::ENTRIES,
+    choice::ENTRIES,
+    chirp::ENTRIES,
+    filters::ENTRIES,
+    truncation::ENTRIES,
+    cubics::ENTRIES,
+    generalised::ENTRIES,
+    bandpass::ENTRIES,
+    irregular::ENTRIES,
 ];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.
