@@ -1,22 +1,47 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
+use crate::figure::further::{bandpass, chirp, cubics, filters, generalised, irregular, truncation};
 use crate::figure::{
-    Entry, aliasing, cardinal, display, folding, overview, prefilter, problem, remedies, supersample, theorem,
+    Entry, adaptive, aliasing, cardinal, choice, convolution, display, film, folding, formal, fourier, gibbs, jitter,
+    low_pass, overview, pairs, prefilter, problem, remedies, replicas, sampling, series, sources, stochastic,
+    supersample, theorem,
 };
 
 /// The families, each with its entries.
 static FAMILIES: &[&[Entry]] = &[
     display::ENTRIES,
     problem::ENTRIES,
+    sampling::ENTRIES,
     folding::ENTRIES,
+    formal::ENTRIES,
+    series::ENTRIES,
+    fourier::ENTRIES,
+    pairs::ENTRIES,
+    convolution::ENTRIES,
+    replicas::ENTRIES,
+    low_pass::ENTRIES,
+    aliasing::ENTRIES,
+    stochastic::ENTRIES,
+    jitter::ENTRIES,
+    adaptive::ENTRIES,
+    gibbs::ENTRIES,
+    sources::ENTRIES,
     cardinal::ENTRIES,
     overview::ENTRIES,
-    aliasing::ENTRIES,
     theorem::ENTRIES,
     remedies::ENTRIES,
     prefilter::ENTRIES,
     supersample::ENTRIES,
+    film::ENTRIES,
+    choice::ENTRIES,
+    chirp::ENTRIES,
+    filters::ENTRIES,
+    truncation::ENTRIES,
+    cubics::ENTRIES,
+    generalised::ENTRIES,
+    bandpass::ENTRIES,
+    irregular::ENTRIES,
 ];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.

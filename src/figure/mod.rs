@@ -4,17 +4,34 @@
 //! (`figure.layer("alias")`), and what its caption states is a list of [`Claim`]s, each a residual computed from the
 //! same data that is drawn.
 
+pub mod adaptive;
 pub mod aliasing;
 pub mod cardinal;
 pub mod catalog;
+pub mod choice;
 pub mod common;
+pub mod convolution;
 pub mod display;
+pub mod film;
 pub mod folding;
+pub mod formal;
+pub mod fourier;
+pub mod further;
+pub mod gibbs;
+pub mod jitter;
+pub mod labels;
+pub mod low_pass;
 pub mod overview;
+pub mod pairs;
 pub mod params;
 pub mod prefilter;
 pub mod problem;
 pub mod remedies;
+pub mod replicas;
+pub mod sampling;
+pub mod series;
+pub mod sources;
+pub mod stochastic;
 pub mod supersample;
 pub mod theorem;
 
