@@ -4,8 +4,8 @@ use crate::error::{Result, unknown};
 use crate::figure::further::{bandpass, chirp, cubics, filters, generalised, irregular, truncation};
 use crate::figure::{
     Entry, adaptive, aliasing, cardinal, choice, convolution, display, film, folding, formal, fourier, gibbs, jitter,
-    low_pass, overview, pairs, prefilter, problem, remedies, replicas, sampling, series, sources, stochastic,
-    supersample, theorem,
+    low_pass, overview, pairs, prefilter, problem, reconstruction, remedies, replicas, sampling, series, sources,
+    stochastic, supersample, theorem,
 };
 
 /// The families, each with its entries.
@@ -27,6 +27,7 @@ static FAMILIES: &[&[Entry]] = &[
     adaptive::ENTRIES,
     gibbs::ENTRIES,
     sources::ENTRIES,
+    reconstruction::ENTRIES,
     cardinal::ENTRIES,
     overview::ENTRIES,
     theorem::ENTRIES,

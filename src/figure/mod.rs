@@ -26,6 +26,7 @@ pub mod pairs;
 pub mod params;
 pub mod prefilter;
 pub mod problem;
+pub mod reconstruction;
 pub mod remedies;
 pub mod replicas;
 pub mod sampling;
