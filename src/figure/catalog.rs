@@ -3,20 +3,33 @@
 use crate::error::{Result, unknown};
 use crate::figure::further::{bandpass, chirp, cubics, filters, generalised, irregular, truncation};
 use crate::figure::{
-    Entry, adaptive, aliasing, choice, display, film, folding, gibbs, jitter, problem, sources, stochastic,
+    Entry, adaptive, aliasing, cardinal, choice, convolution, display, film, folding, formal, fourier, gibbs, jitter,
+    low_pass, overview, pairs, problem, remedies, replicas, sampling, series, sources, stochastic, theorem,
 };
 
 /// The families, each with its entries.
 static FAMILIES: &[&[Entry]] = &[
     display::ENTRIES,
     problem::ENTRIES,
+    sampling::ENTRIES,
     folding::ENTRIES,
+    formal::ENTRIES,
+    series::ENTRIES,
+    fourier::ENTRIES,
+    pairs::ENTRIES,
+    convolution::ENTRIES,
+    replicas::ENTRIES,
+    low_pass::ENTRIES,
     aliasing::ENTRIES,
     stochastic::ENTRIES,
     jitter::ENTRIES,
     adaptive::ENTRIES,
     gibbs::ENTRIES,
     sources::ENTRIES,
+    cardinal::ENTRIES,
+    overview::ENTRIES,
+    theorem::ENTRIES,
+    remedies::ENTRIES,
     film::ENTRIES,
     choice::ENTRIES,
     chirp::ENTRIES,

@@ -36,10 +36,12 @@ const FOLDING: Entry = Entry {
     caption: &Text::fixed(
         "Between two samples a tone turns by 2πf/f_{s}; a turn by the rest of the circle, the other way round, ends at the \
          same point, so f and f_{s} − f cannot be told apart. Measured frequencies of sampled tones therefore run up to \
-         f_{s}/2, down to zero and up again, and so does a chirp that is sampled too slowly.",
+         f_{s}/2, down to zero and up again, and so does a chirp sampled too slowly (the lecture's \
+         1 + cos 4πx², slowed down to let its ridge be narrow).",
         "Между двумя отсчётами тон поворачивается на 2πf/f_{s}; поворот на остаток круга в обратную сторону кончается в \
          той же точке, и f не отличить от f_{s} − f. Поэтому измеренная частота отсчётов растёт до f_{s}/2, падает до нуля \
-         и растёт снова; то же делает слишком редко дискретизованный ЛЧМ-сигнал.",
+         и растёт снова; то же делает ЛЧМ-сигнал при слишком редкой дискретизации (1 + cos 4πx² из \
+         лекции, замедленный ради узкого гребня).",
     ),
     params: &[
         Param::real("rate", &RATE, 8.0, 6.0, 16.0, ""),
@@ -98,7 +100,7 @@ fn triangle(rate: f64) -> Result<(Panel, Vec<Says>)> {
         (0.5 * rate * i as f64, Text::same(name))
     });
     let x = Scale::linear(text!("frequency of the tone", "частота тона"), 0.0, 3.0 * rate).ticks(ticks);
-    let y = Scale::linear(text!("seen", "видна"), 0.0, 0.58 * rate).ticks([
+    let y = Scale::linear(text!("frequency seen", "видимая частота"), 0.0, 0.58 * rate).ticks([
         (0.0, Text::same("0")),
         (0.25 * rate, Text::same("f_{s}/4")),
         (0.5 * rate, Text::same("f_{s}/2")),
@@ -163,7 +165,8 @@ fn spectrogram(rate: f64, slow: f64) -> Result<(Panel, Says)> {
     let comb = Comb::new(1.0 / rate)?;
     // the window of e^{−x²/2s²} that shows a chirp of that sweep sharpest: 2π·sweep·s² = 1
     let s = (1.0 / (2.0 * PI * sweep)).sqrt();
-    let width = 2f64.sqrt() / (2.0 * PI * s);
+    // the ridge is e^{−δ²/2w²} with w = √2/2πs: as wide as from −w to w
+    let width = 2.0 * 2f64.sqrt() / (2.0 * PI * s);
     let beyond = 6.0 * s;
     let samples = sample(&chirp, comb, -(beyond * rate) as i64..=((end + beyond) * rate) as i64)?;
     let (columns, rows) = (240, 96);
@@ -209,12 +212,13 @@ fn spectrogram(rate: f64, slow: f64) -> Result<(Panel, Says)> {
             .label(text!("local frequency {}x, folded", "местная частота {}x, завёрнутая", number(sweep, 3))),
     );
     let says = text!(
-        "the ridge follows the folded local frequency: back at {}, at zero, and so on, within its width {}",
-        "гребень следует завёрнутой местной частоте: поворот на {}, в нуле и так далее, в пределах своей ширины {}",
+        "the ridge follows the folded local frequency, turning at {} and at zero, within its own width {}",
+        "гребень следует завёрнутой местной частоте, поворачивая на {} и в нуле, в пределах своей ширины {}",
         number(top, 3),
         number(width, 3)
     );
     let law = "ridge of the spectrogram = folded local frequency";
-    // where the chirp turns, the ridge merges with its own mirror image, one deviation away at most
+    // where the chirp turns, the ridge interferes with its own mirror image, and the strongest place is between them or
+    // beside them; away from the turns only the rows of the raster, half a row, are between measured and true
     Ok((panel, (says, Residual::at_most(law, worst, width))))
 }

@@ -6,20 +6,32 @@
 
 pub mod adaptive;
 pub mod aliasing;
+pub mod cardinal;
 pub mod catalog;
 pub mod choice;
 pub mod common;
+pub mod convolution;
 pub mod display;
 pub mod film;
 pub mod folding;
+pub mod formal;
+pub mod fourier;
 pub mod further;
 pub mod gibbs;
 pub mod jitter;
 pub mod labels;
+pub mod low_pass;
+pub mod overview;
+pub mod pairs;
 pub mod params;
 pub mod problem;
+pub mod remedies;
+pub mod replicas;
+pub mod sampling;
+pub mod series;
 pub mod sources;
 pub mod stochastic;
+pub mod theorem;
 
 use crate::residual::Residual;
 use crate::text::Text;

@@ -1,8 +1,6 @@
 //! The numbers that the lecture's inventory prints for F37, F38, F39 and F41, asked of the figures' own data.
 
-mod common_figures;
-
-use common_figures::{figure, near, points, value};
+use crate::asking::{figure, near, points, value};
 
 #[test]
 fn f37_the_power_of_a_regular_comb_is_n_at_the_multiples_of_the_rate_and_zero_elsewhere() {

@@ -1,9 +1,7 @@
 //! The numbers that the lecture's inventory prints among its results (V05, V09, V22, V23, V24), asked of the figures'
 //! own data.
 
-mod common_figures;
-
-use common_figures::{figure, layer, near, points, value};
+use crate::asking::{figure, layer, near, points, value};
 use nyquist::figure::Mark;
 use nyquist::text::Lang;
 

@@ -1,8 +1,6 @@
 //! The numbers that the lecture's inventory prints for F48, F55 and F57, asked of the figures' own data.
 
-mod common_figures;
-
-use common_figures::{figure, near, points};
+use crate::asking::{figure, near, points};
 use nyquist::figure::Figure;
 use nyquist::laws::metrics::TABLE;
 use nyquist::text::Lang;
