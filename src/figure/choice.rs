@@ -71,7 +71,9 @@ fn kinds() -> [Kind; 3] {
             members: CUBIC,
         },
         Kind { label: text!("never ring", "не звенят"), meaning: Meaning::Series(2), members: PLAIN },
-        Kind { label: text!("sincs", "sinc с окном"), meaning: Meaning::Series(1), members: WINDOWED },
+        Kind {
+            label: text!("made of sincs", "на основе sinc"), meaning: Meaning::Series(1), members: WINDOWED
+        },
     ]
 }
 

@@ -52,7 +52,7 @@ fn signal() -> Result<Modulated<RaisedCosine>> {
 
 /// Places within the middle of the record, on no grid of the tried rates.
 fn places() -> Vec<f64> {
-    (-12..=12).map(|i| 0.0417 * f64::from(i) + 0.007).collect()
+    (-8..=8).map(|i| 0.0617 * f64::from(i) + 0.007).collect()
 }
 
 fn restored(rate: f64) -> Result<BandPass> {

@@ -164,7 +164,7 @@ fn papoulis(params: &Params) -> Result<Figure> {
 }
 
 /// How often noise is reconstructed, and how many pairs to either side take part.
-const TRIALS: u32 = 2000;
+const TRIALS: u32 = 1000;
 const HALF: usize = 40;
 
 /// Pairs of normal numbers of power one, again and again.

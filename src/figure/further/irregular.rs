@@ -69,7 +69,8 @@ fn irregular(params: &Params) -> Result<Figure> {
     let mistaken = Samples::new(Axis::cells(0.0..period, CELLS)?, samples.points().iter().map(|p| p[1]).collect())?;
     let sinc = reconstruct(&mistaken, Ideal).edge(Edge::Wrap);
     let (low, high) = (20.0, 36.0);
-    let top = 1.15 * (0..=800).map(|i| f.at(low + (high - low) * f64::from(i) / 800.0).abs()).fold(0.0, f64::max);
+    let shown = |i: i32| low + (high - low) * f64::from(i) / 800.0;
+    let top = 1.1 * (0..=800).map(shown).map(|x| f.at(x).abs().max(sinc.at(x).abs())).fold(0.0, f64::max);
     let space_panel = Panel::new(
         "space",
         text!("16 of {CELLS} cells", "16 ячеек из {CELLS}"),
