@@ -4,7 +4,8 @@ use crate::error::{Result, unknown};
 use crate::figure::further::{bandpass, chirp, cubics, filters, generalised, irregular, truncation};
 use crate::figure::{
     Entry, adaptive, aliasing, cardinal, choice, convolution, display, film, folding, formal, fourier, gibbs, jitter,
-    low_pass, overview, pairs, problem, remedies, replicas, sampling, series, sources, stochastic, theorem,
+    low_pass, overview, pairs, prefilter, problem, remedies, replicas, sampling, series, sources, stochastic,
+    supersample, theorem,
 };
 
 /// The families, each with its entries.
@@ -32,6 +33,8 @@ static FAMILIES: &[&[Entry]] = &[
     remedies::ENTRIES,
     film::ENTRIES,
     choice::ENTRIES,
+    prefilter::ENTRIES,
+    supersample::ENTRIES,
     chirp::ENTRIES,
     filters::ENTRIES,
     truncation::ENTRIES,

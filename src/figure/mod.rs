@@ -24,6 +24,7 @@ pub mod low_pass;
 pub mod overview;
 pub mod pairs;
 pub mod params;
+pub mod prefilter;
 pub mod problem;
 pub mod remedies;
 pub mod replicas;
@@ -31,6 +32,7 @@ pub mod sampling;
 pub mod series;
 pub mod sources;
 pub mod stochastic;
+pub mod supersample;
 pub mod theorem;
 
 use crate::residual::Residual;
