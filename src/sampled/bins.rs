@@ -97,3 +97,16 @@ impl Bins {
         Ok(Self::trusted(self.space, passed.collect()))
     }
 }
+
+/// Bins of the same samples' axis whose values differ by at most `epsilon` in absolute value.
+impl AbsDiffEq for Bins {
+    type Epsilon = f64;
+
+    fn default_epsilon() -> f64 {
+        f64::EPSILON
+    }
+
+    fn abs_diff_eq(&self, other: &Self, epsilon: f64) -> bool {
+        self.space == other.space && self.values.iter().zip(&other.values).all(|(a, b)| (a - b).norm() <= epsilon)
+    }
+}
