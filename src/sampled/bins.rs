@@ -3,6 +3,7 @@
 use crate::axis::Axis;
 use crate::error::{Error, Result, positive};
 use crate::spectrum::low_pass;
+use approx::AbsDiffEq;
 use num_complex::Complex;
 
 /// Samples of a spectrum: `F(ν_k)` at the frequencies of [`Bins::axis`], which rise and have zero at index `n/2`.
