@@ -2,8 +2,8 @@
 
 use crate::error::Result;
 use crate::figure::common::{density_curve, difference, frequency, values};
+use crate::figure::formal::replicas::order;
 use crate::figure::params::{Param, Params};
-use crate::figure::replicas::order;
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel};
 use crate::residual::Residual;
 use crate::signal::FourierPair;

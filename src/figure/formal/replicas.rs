@@ -28,7 +28,7 @@ static BAND: Text = Text::fixed("band limit B of the signal", "граница п
 pub static ENTRIES: &[Entry] = &[INGREDIENTS, REPLICAS, CLOSER];
 
 /// How many copies reach into `|ν| ≤ limit`.
-pub(super) fn order(spectrum: &Spectrum, rate: f64, limit: f64) -> usize {
+pub(in crate::figure) fn order(spectrum: &Spectrum, rate: f64, limit: f64) -> usize {
     ((spectrum.extent() + limit) / rate).ceil() as usize
 }
 
