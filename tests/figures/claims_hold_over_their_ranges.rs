@@ -50,3 +50,8 @@ fn of_edges_and_filters() {
 fn of_what_goes_beyond_the_lecture() {
     tried(&["x-"]);
 }
+
+#[test]
+fn of_the_formal_part() {
+    tried(&["f06", "f09", "f10", "f11", "f12", "f13", "f14", "f17", "f18", "f19", "f20", "f21"]);
+}

@@ -4,7 +4,7 @@ use crate::beyond::jitter::{Jitter, JitteredComb};
 use crate::error::Result;
 use crate::figure::common::{frequency, space};
 use crate::figure::params::{Param, Params};
-use crate::figure::stochastic::{DEVIATIONS, PATTERNS, SEED, averaged, powers, worst_deviation};
+use crate::figure::remedy::stochastic::{DEVIATIONS, PATTERNS, SEED, averaged, powers, worst_deviation};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::laws::jitter::{deviations, displayed_on_the_grid, jitter_spectrum, jittered_tone};
 use crate::nyquist::fold;

@@ -1,6 +1,6 @@
 //! Regular and random places for samples (slides «Стохастический суперсэмплинг»).
 //!
-//! Here and in [`jitter`](crate::figure::jitter) the step is one: frequencies are in cycles per step, the rate is 1 and
+//! Here and in [`jitter`](crate::figure::remedy::jitter) the step is one: frequencies are in cycles per step, the rate is 1 and
 //! Nyquist ½. The power of `n` points is `(1/n)|Σ e^{−2πiνx}|²` at the harmonics `ν = m/n` of their record.
 
 use crate::axis::Axis;
