@@ -1,53 +1,23 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::figure::further::{bandpass, chirp, cubics, filters, generalised, irregular, truncation};
-use crate::figure::{
-    Entry, adaptive, aliasing, cardinal, choice, convolution, display, film, folding, formal, fourier, gibbs, jitter,
-    low_pass, overview, pairs, prefilter, problem, reconstruction, remedies, replicas, sampling, series, sources,
-    stochastic, supersample, theorem,
-};
+use crate::figure::{Entry, alias, film, formal, further, problem, reconstruction, remedy, synthesis};
 
-/// The families, each with its entries.
-static FAMILIES: &[&[Entry]] = &[
-    display::ENTRIES,
-    problem::ENTRIES,
-    sampling::ENTRIES,
-    folding::ENTRIES,
-    formal::ENTRIES,
-    series::ENTRIES,
-    fourier::ENTRIES,
-    pairs::ENTRIES,
-    convolution::ENTRIES,
-    replicas::ENTRIES,
-    low_pass::ENTRIES,
-    aliasing::ENTRIES,
-    stochastic::ENTRIES,
-    jitter::ENTRIES,
-    adaptive::ENTRIES,
-    gibbs::ENTRIES,
-    sources::ENTRIES,
-    reconstruction::ENTRIES,
-    cardinal::ENTRIES,
-    overview::ENTRIES,
-    theorem::ENTRIES,
-    remedies::ENTRIES,
-    prefilter::ENTRIES,
-    supersample::ENTRIES,
-    film::ENTRIES,
-    choice::ENTRIES,
-    chirp::ENTRIES,
-    filters::ENTRIES,
-    truncation::ENTRIES,
-    cubics::ENTRIES,
-    generalised::ENTRIES,
-    bandpass::ENTRIES,
-    irregular::ENTRIES,
+/// The chapters, each with its families.
+static CHAPTERS: &[&[&[Entry]]] = &[
+    problem::FAMILIES,
+    formal::FAMILIES,
+    reconstruction::FAMILIES,
+    alias::FAMILIES,
+    remedy::FAMILIES,
+    synthesis::FAMILIES,
+    film::FAMILIES,
+    further::FAMILIES,
 ];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.
 pub fn all() -> Vec<&'static Entry> {
-    let mut entries: Vec<&Entry> = FAMILIES.iter().copied().flatten().collect();
+    let mut entries: Vec<&Entry> = CHAPTERS.iter().copied().flatten().copied().flatten().collect();
     entries.sort_by_key(|entry| entry.id);
     entries
 }

@@ -5,6 +5,18 @@ use crate::text::{Lang, Text};
 
 /// Names beside dots, each on the side where it covers the fewest other names and dots: `row` letters are as wide as the
 /// panel. The first dot is placed first; a dot without a name only takes its room.
+///
+/// ```
+/// use nyquist::figure::common::values;
+/// use nyquist::figure::labels::labels;
+/// use nyquist::figure::{Mark, Panel};
+/// use nyquist::text::Text;
+/// let panel = Panel::new("plane", Text::EMPTY, values("x", 0.0, 1.0), values("y", 0.0, 1.0));
+/// // one dot above the other: the lower one's name goes elsewhere
+/// let names = labels("names", &panel, 40.0, &[[0.5, 0.56], [0.5, 0.5]], &[Text::same("upper"), Text::same("lower")]);
+/// let Mark::Notes(notes) = names.mark else { panic!() };
+/// assert!(notes[0].0[1] > 0.56 && notes[1].0 != [0.5, 0.56]);
+/// ```
 pub fn labels(name: &'static str, panel: &Panel, row: f64, dots: &[[f64; 2]], names: &[Text]) -> Layer {
     // places as parts of the panel, 0 to 1
     let (x, y) = (Ruler::of(&panel.x), Ruler::of(&panel.y));
@@ -30,7 +42,7 @@ pub fn labels(name: &'static str, panel: &Panel, row: f64, dots: &[[f64; 2]], na
             let meets = |b: &&[f64; 4]| (b[0] - cx).abs() < b[2] + half && (b[1] - cy).abs() < b[3] + tall;
             let hides = |d: &&[f64; 2]| {
                 let [dx, dy] = part(d);
-                (dx - cx).abs() < half + 0.3 / row && (dy - cy).abs() < tall
+                **d != *dot && (dx - cx).abs() < half + 1.5 / row && (dy - cy).abs() < tall
             };
             3 * taken.iter().filter(meets).count() + dots.iter().filter(hides).count()
         };

@@ -3,6 +3,7 @@
 use crate::axis::Axis;
 use crate::error::{Error, Result, positive};
 use crate::spectrum::low_pass;
+use approx::AbsDiffEq;
 use num_complex::Complex;
 
 /// Samples of a spectrum: `F(ν_k)` at the frequencies of [`Bins::axis`], which rise and have zero at index `n/2`.
@@ -95,5 +96,18 @@ impl Bins {
         positive("the cut-off frequency", cutoff)?;
         let passed = self.axis().iter().zip(&self.values).map(|(nu, v)| v * low_pass(nu, cutoff));
         Ok(Self::trusted(self.space, passed.collect()))
+    }
+}
+
+/// Bins of the same samples' axis whose values differ by at most `epsilon` in absolute value.
+impl AbsDiffEq for Bins {
+    type Epsilon = f64;
+
+    fn default_epsilon() -> f64 {
+        f64::EPSILON
+    }
+
+    fn abs_diff_eq(&self, other: &Self, epsilon: f64) -> bool {
+        self.space == other.space && self.values.iter().zip(&other.values).all(|(a, b)| (a - b).norm() <= epsilon)
     }
 }

@@ -3,6 +3,7 @@
 use crate::axis::Axis;
 use crate::error::{Error, Result, all_finite};
 use crate::signal::Signal;
+use approx::AbsDiffEq;
 
 /// A sampled signal: values on an [`Axis`].
 ///
@@ -77,5 +78,25 @@ impl Samples {
         let values: Vec<f64> = self.values.iter().step_by(n).copied().collect();
         let axis = Axis::new(self.axis.start(), self.axis.step() * n as f64, values.len())?;
         Ok(Self { axis: axis.in_unit(self.axis.unit()), values })
+    }
+}
+
+/// Samples on the same axis whose values differ by at most `epsilon`, for `assert_abs_diff_eq!` and its kin.
+///
+/// ```
+/// use nyquist::prelude::*;
+/// let samples = Samples::of(&Sine::new(0.3)?, Axis::nodes(0.0..5.0, 16)?);
+/// approx::assert_abs_diff_eq!(inverse(&forward(&samples)), samples, epsilon = 1e-15);
+/// # Ok::<(), Error>(())
+/// ```
+impl AbsDiffEq for Samples {
+    type Epsilon = f64;
+
+    fn default_epsilon() -> f64 {
+        f64::EPSILON
+    }
+
+    fn abs_diff_eq(&self, other: &Self, epsilon: f64) -> bool {
+        self.axis == other.axis && self.values.iter().zip(&other.values).all(|(a, b)| (a - b).abs() <= epsilon)
     }
 }

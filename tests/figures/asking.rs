@@ -31,5 +31,5 @@ pub(crate) fn value(points: &[[f64; 2]], x: f64) -> f64 {
 /// `value` is within `bound` of `expected`.
 #[track_caller]
 pub(crate) fn near(value: f64, expected: f64, bound: f64) {
-    assert!((value - expected).abs() <= bound, "{value} is not within {bound} of {expected}");
+    approx::assert_abs_diff_eq!(value, expected, epsilon = bound);
 }

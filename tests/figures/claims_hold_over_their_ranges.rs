@@ -73,6 +73,11 @@ fn tried_together(ids: &[&str]) {
 }
 
 #[test]
+fn of_the_formal_part() {
+    tried(&["f06", "f09", "f10", "f11", "f12", "f13", "f14", "f17", "f18", "f19", "f20", "f21"]);
+}
+
+#[test]
 fn of_the_problem() {
     tried_together(&["f02", "f04", "f07", "f08"]);
 }

@@ -2,6 +2,7 @@
 
 use crate::asking::{figure, near, points};
 use nyquist::figure::Figure;
+use nyquist::laws::metrics::TABLE;
 use nyquist::text::Lang;
 
 fn says(figure: &Figure, claim: usize) -> &str {
@@ -61,31 +62,19 @@ fn f55_one_filter_gives_the_pixels_of_all_three_stages() {
 #[test]
 fn f57_shows_the_numbers_of_the_table() {
     let figure = figure("f57-choice", &[]);
-    // box, tent, Mitchell, Catmull–Rom, B-spline, Lanczos-3, Gaussians of pbrt-4 and pbrt-2, the sinc of pbrt-2
-    let table = [
-        [0.2263, 0.2263, 0.0],
-        [0.3668, 0.0335, 0.0],
-        [0.3404, 0.0219, 3.63],
-        [0.2240, 0.0382, 7.41],
-        [0.5235, 0.0029, 0.0],
-        [0.1320, 0.0257, 11.8],
-        [0.4356, 0.0159, 0.0],
-        [0.4499, 0.0149, 0.0],
-        [0.3298, 0.00007, 9.64],
-    ];
     let dots = |panel: &str| -> Vec<[f64; 2]> {
         let layers = &figure.panel(panel).expect("the panel exists").layers;
         layers.iter().filter(|l| l.name == "kernels").flat_map(|l| l.points().to_vec()).collect()
     };
-    for [s, p, overshoot] in table {
-        let digits = if overshoot == 11.8 { 0.05 } else { 0.005 };
-        assert!(
-            dots("images").iter().any(|d| (d[0] - s).abs() < 5e-5 && (d[1] - p).abs() < 5e-5),
-            "no dot at ({s}, {p})"
-        );
-        assert!(
-            dots("ringing").iter().any(|d| (d[0] - s).abs() < 5e-5 && (d[1] - overshoot).abs() < digits),
-            "no dot at ({s}, {overshoot} %)"
-        );
+    for row in TABLE {
+        let number = |i: usize| -> f64 { row.printed[i].parse().expect("the table consists of numbers") };
+        let half_digit = |i: usize| 0.5 * 10f64.powi(2 - row.printed[i].len() as i32); // "0." and the digits
+        let shown = |panel: &str, [x, y]: [usize; 2], scale: f64| {
+            dots(panel).iter().any(|dot| {
+                (dot[0] - number(x)).abs() <= half_digit(x) && (dot[1] / scale - number(y)).abs() <= half_digit(y)
+            })
+        };
+        assert!(shown("images", [0, 1], 1.0), "{}: no dot at S, P", row.name);
+        assert!(shown("ringing", [0, 5], 100.0), "{}: no dot at S, overshoot", row.name);
     }
 }

@@ -95,7 +95,7 @@ fn f11_has_the_peaks_and_errors_of_the_partial_sums() {
     for printed in ["0.18943", "0.09937", "0.06694", "0.02530", "8.949"] {
         claims_number("f11-series", printed);
     }
-    claims_number("f11-literal", "5.818");
+    claims_number("f11-unweighted", "5.818");
 }
 
 #[test]
@@ -109,7 +109,7 @@ fn f13_has_the_lobes_and_lines_of_the_table() {
     let comb = layer(&table, "comb lines", "lines").points();
     assert!(comb.iter().enumerate().all(|(i, l)| l[0] == 0.5 * (i as f64 - 5.0) && l[1] == 1.0));
     // windows of width L: peaks of height L, of a cosine L/2
-    let limits = figure("f13-limits");
+    let limits = figure("f13-windows");
     for (panel, share) in [("constant", 1.0), ("cosine", 0.5), ("comb", 1.0)] {
         let heights: Vec<f64> =
             limits.panel(panel).expect("a panel").layers.iter().map(|l| (peak(l) / share).round()).collect();

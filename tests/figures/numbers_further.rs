@@ -35,9 +35,9 @@ fn straight_lines_are_off_by_0_096_at_the_origin_of_the_plane_of_cubics() {
     let figure = figure("x-bc-plane", &[]);
     assert!(figure.claims[1].says.get(Lang::En).contains("0.096"));
     let Mark::Raster { values, low, high, .. } = &layer(&figure, "ringing", "map").mark else { panic!("no map") };
-    assert_eq!(values.dim(), (36, 36));
+    assert_eq!(values.dim(), (28, 28));
     // from nothing to more than the ideal sinc at (0, 1)
-    assert!(*low < 0.3 && *high > 14.0);
+    assert!(*low < 0.4 && *high > 14.0);
 }
 
 #[test]
@@ -45,8 +45,8 @@ fn pairs_of_samples_multiply_noise_by_1_2_and_10_5() {
     let figure = figure("x-papoulis", &[]);
     let measured = points(&figure, "noise", "measured");
     for (a, printed) in [(0.5, 1.0), (0.25, 2.0), (0.1, 10.5)] {
-        // the bound of the figure's own claim: 600 trials
-        near(value(&measured, a), printed, 0.25 * printed);
+        // 1000 trials, four standard deviations; the record's end takes 1 %
+        near(value(&measured, a), printed, 0.19 * printed);
     }
     let restored = |panel: &str| {
         let pairs = points(&figure, panel, "restored").into_iter().zip(points(&figure, panel, "signal"));
@@ -80,7 +80,7 @@ fn levinsons_positions_keep_more_than_kadec_promises() {
         assert!(value(&eigenvalues, deviation) > promised);
     }
     near(value(&bound, 0.25), 0.0, 1e-15);
-    // full-cell jitter of 64 samples: the condition stays near ten up to 0.97 of Nyquist
+    // full-cell jitter of 48 samples: the condition stays near ten up to 0.97 of Nyquist
     let condition = points(&figure, "condition", "jittered");
     assert!(condition.iter().all(|c| c[1] < 20.0));
 }

@@ -13,6 +13,8 @@ fn f37_the_power_of_a_regular_comb_is_n_at_the_multiples_of_the_rate_and_zero_el
     // the tone at 13 of 16 comes back at 3 of 16, as strong
     assert_eq!(points(&figure, "spectrum", "leaked"), [[-0.1875, 0.5], [0.1875, 0.5]]);
     assert_eq!(points(&figure, "spectrum", "own"), [[-0.8125, 0.5], [0.8125, 0.5]]);
+    // E33: tone and alias together have the power 2, not 1
+    assert!(figure.claims[3].says.get(nyquist::text::Lang::En).contains("the power 2,"));
 }
 
 #[test]

@@ -29,7 +29,7 @@ const HALF: f64 = 1.4;
 /// Rates that are tried, slowest first.
 const TRIED: [f64; 5] = [6.5, 7.5, 8.2, 9.0, 10.0];
 /// Samples to either side of the middle.
-const TERMS: usize = 120;
+const TERMS: usize = 60;
 
 const BANDPASS: Entry = Entry {
     id: "x-bandpass",
@@ -52,7 +52,7 @@ fn signal() -> Result<Modulated<RaisedCosine>> {
 
 /// Places within the middle of the record, on no grid of the tried rates.
 fn places() -> Vec<f64> {
-    (-24..=24).map(|i| 0.0417 * f64::from(i) + 0.007).collect()
+    (-8..=8).map(|i| 0.0617 * f64::from(i) + 0.007).collect()
 }
 
 fn restored(rate: f64) -> Result<BandPass> {

@@ -100,7 +100,7 @@ fn chirp(rate: usize) -> Result<Figure> {
         .with(after)
         .with(frequencies)
         .claim(
-            text!("the samples repeat after {} units", "отсчёты повторяются через {} единицы", number(period, 2)),
+            text!("the period of the samples is {}", "период отсчётов равен {}", number(period, 2)),
             Residual::at_most("samples = samples one period before", repeats, phase),
         )
         .claim(

@@ -33,7 +33,7 @@ const PLANE: Entry = Entry {
          Вдоль неё размытие меняется на звон. В стороне от неё, внизу, проходят копии спектра (P); Митчелл (⅓, ⅓) стоит на \
          линии, посередине.",
     ),
-    params: &[Param::count("grid", &GRID, 36, 12, 48)],
+    params: &[Param::count("grid", &GRID, 28, 12, 48)],
     build: |params| plane(params.count("grid")),
 };
 

@@ -134,12 +134,17 @@ fn pulse_chirp(names: &[&'static str; 5]) -> Result<Figure> {
         let divided = |x: f64| of_pulse.at(x) / kernel.periodic(x / STEP, 1);
         let top = (maximum(divided, 1.0, 1.45, 230).value - 1.0).max(0.0);
         let percent = if top < 1e-9 { "0".to_owned() } else { number(100.0 * top, 3) };
+        let sign = if percent == "0" { "" } else { "+" };
         let scale = |low, high| if i == 0 { values("f(x)", low, high) } else { unmarked(low, high) };
         let upper = Panel::new(ABOVE[i], title.clone(), unmarked(low - 0.05, high + 0.05), scale(-0.3, 1.3))
             .with(Layer::line("pulse", Meaning::Signal, edge).thin())
             .with(signal_curve("back", Meaning::Reconstructed, &of_pulse, low, high).thick())
             .with(Layer::dots("samples", Meaning::Samples, pulse.points().filter(|p| (low..=high).contains(&p[0]))))
-            .with(Layer::notes("overshoot", Meaning::Error, [([1.5, 0.5], text!("+{percent} %", "+{percent} %"))]));
+            .with(Layer::notes(
+                "overshoot",
+                Meaning::Error,
+                [([1.5, 0.5], text!("{sign}{percent} %", "{sign}{percent} %"))],
+            ));
         figure = figure.with(upper);
         lower.push(
             Panel::new(BELOW[i], Text::EMPTY, space(0.0, end), scale(-0.4, 2.4))

@@ -9,6 +9,7 @@ use crate::figure::params::{Param, Params};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::kernel::ideal::Ideal;
 use crate::laws::generalised::{derivative_tail, interlaced_noise, interlaced_tail};
+use crate::laws::jitter::deviations;
 use crate::num::random::normal;
 use crate::num::sin_pi;
 use crate::reconstruct::reconstruct;
@@ -101,8 +102,9 @@ fn papoulis(params: &Params) -> Result<Figure> {
     );
 
     let offsets = [0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5];
+    let noises = noises(seed);
     let gain = |a: f64| sin_pi(a).powi(-2);
-    let measured: Vec<[f64; 2]> = offsets.iter().map(|&a| [a, noise_power(seed, a)]).collect();
+    let measured: Vec<[f64; 2]> = offsets.iter().map(|&a| [a, noise_power(&noises, a)]).collect();
     let noise_panel = Panel::new(
         "noise",
         text!("what closeness costs", "чего стоит близость"),
@@ -122,9 +124,10 @@ fn papoulis(params: &Params) -> Result<Figure> {
     let of_slopes = weight * derivative_tail(BAND, 1.0, seen) + rounding;
     let of_pairs = weight * interlaced_tail(BAND, 1.0, seen, offset) + rounding;
     let wrong = off(&false_curve);
-    // a mean over TRIALS squares of normal numbers, at places that may all tell the same; 8 standard deviations, since
-    // these means lean to the upper side. Samples beyond the record take 2/(π²·HALF) of the power at most
-    let allowed = 8.0 * (2.0 / f64::from(TRIALS)).sqrt() + 4.0 / (std::f64::consts::PI.powi(2) * HALF as f64);
+    // a mean over TRIALS squares of normal numbers, at places that may all tell the same. Samples beyond the record take
+    // 2/(π²·HALF) of the power at most, and as much for the second comb
+    let beyond = 4.0 / (std::f64::consts::PI.powi(2) * HALF as f64);
+    let allowed = deviations(offsets.len()) * (2.0 / f64::from(TRIALS)).sqrt() + beyond;
     let worst = measured.iter().map(|[a, power]| (power / gain(*a) - 1.0).abs()).fold(0.0, f64::max);
     Ok(Figure::new(3)
         .with(slopes_panel)
@@ -161,33 +164,28 @@ fn papoulis(params: &Params) -> Result<Figure> {
 }
 
 /// How often noise is reconstructed, and how many pairs to either side take part.
-const TRIALS: u32 = 600;
+const TRIALS: u32 = 1000;
 const HALF: usize = 40;
 
-/// The mean power of what normal numbers of power one in pairs become between them.
-fn noise_power(seed: u64, offset: f64) -> f64 {
+/// Pairs of normal numbers of power one, again and again.
+fn noises(seed: u64) -> Vec<Vec<[f64; 2]>> {
+    let pairs = 2 * HALF as u64 + 1;
+    let pair = |index: u64| [normal(seed, index, 0), normal(seed, index, 1)];
+    (0..u64::from(TRIALS)).map(|trial| (0..pairs).map(|k| pair(trial * pairs + k)).collect()).collect()
+}
+
+/// The mean power of what they become between pairs `offset` apart.
+fn noise_power(noises: &[Vec<[f64; 2]>], offset: f64) -> f64 {
     const PLACES: u32 = 8;
     let half = HALF as i64;
-    let kernels = |x: f64| -> Vec<[f64; 2]> {
+    let power_at = |x: f64| {
         let pair = |k: i64| {
             let t = x - k as f64;
             [Interlaced::kernel(t, offset), Interlaced::kernel(t - offset, -offset)]
         };
-        (-half..=half).map(pair).collect()
+        let weights: Vec<[f64; 2]> = (-half..=half).map(pair).collect();
+        let value = |noise: &Vec<[f64; 2]>| weights.iter().zip(noise).map(|(w, v)| w[0] * v[0] + w[1] * v[1]).sum();
+        noises.iter().map(|noise| -> f64 { value(noise) }).map(|v: f64| v * v).sum::<f64>() / f64::from(TRIALS)
     };
-    let weights: Vec<Vec<[f64; 2]>> = (0..PLACES).map(|i| kernels((f64::from(i) + 0.5) / f64::from(PLACES))).collect();
-    let mut power = 0.0;
-    for trial in 0..u64::from(TRIALS) {
-        let noise: Vec<[f64; 2]> = (0..2 * HALF as u64 + 1)
-            .map(|k| {
-                let index = trial * (2 * HALF as u64 + 1) + k;
-                [normal(seed, index, 0), normal(seed, index, 1)]
-            })
-            .collect();
-        let at = |weights: &Vec<[f64; 2]>| -> f64 {
-            weights.iter().zip(&noise).map(|(w, v)| w[0] * v[0] + w[1] * v[1]).sum()
-        };
-        power += weights.iter().map(|w| at(w).powi(2)).sum::<f64>();
-    }
-    power / f64::from(PLACES * TRIALS)
+    (0..PLACES).map(|i| power_at((f64::from(i) + 0.5) / f64::from(PLACES))).sum::<f64>() / f64::from(PLACES)
 }

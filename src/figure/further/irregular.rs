@@ -44,7 +44,7 @@ const IRREGULAR: Entry = Entry {
 };
 
 /// Cells, and samples, of a period.
-const CELLS: usize = 64;
+const CELLS: usize = 48;
 
 /// The degree of the polynomial that fills that part of the band below Nyquist.
 fn degree(part: f64) -> usize {
@@ -69,29 +69,34 @@ fn irregular(params: &Params) -> Result<Figure> {
     let mistaken = Samples::new(Axis::cells(0.0..period, CELLS)?, samples.points().iter().map(|p| p[1]).collect())?;
     let sinc = reconstruct(&mistaken, Ideal).edge(Edge::Wrap);
     let (low, high) = (20.0, 36.0);
-    let top = 1.15 * (0..=800).map(|i| f.at(low + (high - low) * f64::from(i) / 800.0).abs()).fold(0.0, f64::max);
-    let space_panel =
-        Panel::new("space", text!("16 of 64 cells", "16 ячеек из 64"), space(low, high), values("f(x)", -top, top))
-            .span(2)
-            .legend(Legend::Above)
-            .with(Layer::spans("cells", Meaning::Guide, (10..18).map(|k| [f64::from(2 * k), f64::from(2 * k + 1)])))
-            .with(
-                signal_curve("sinc", Meaning::Error, &sinc, low, high)
-                    .thin()
-                    .label(text!("sinc, as if regular", "sinc, как по регулярным")),
-            )
-            .with(signal_curve("signal", Meaning::Signal, &f, low, high).thick().label(text!("signal", "сигнал")))
-            .with(
-                signal_curve("recovered", Meaning::Reconstructed, &recovery, low, high)
-                    .dashed()
-                    .label(text!("recovered", "восстановлен")),
-            )
-            .with(
-                Layer::dots("samples", Meaning::Samples, {
-                    samples.points().iter().copied().filter(|p| p[0] > low && p[0] < high)
-                })
-                .label(text!("samples", "отсчёты")),
-            );
+    let shown = |i: i32| low + (high - low) * f64::from(i) / 800.0;
+    let top = 1.1 * (0..=800).map(shown).map(|x| f.at(x).abs().max(sinc.at(x).abs())).fold(0.0, f64::max);
+    let space_panel = Panel::new(
+        "space",
+        text!("16 of {CELLS} cells", "16 ячеек из {CELLS}"),
+        space(low, high),
+        values("f(x)", -top, top),
+    )
+    .span(2)
+    .legend(Legend::Above)
+    .with(Layer::spans("cells", Meaning::Guide, (10..18).map(|k| [f64::from(2 * k), f64::from(2 * k + 1)])))
+    .with(
+        signal_curve("sinc", Meaning::Error, &sinc, low, high)
+            .thin()
+            .label(text!("sinc, as if regular", "sinc, как по регулярным")),
+    )
+    .with(signal_curve("signal", Meaning::Signal, &f, low, high).thick().label(text!("signal", "сигнал")))
+    .with(
+        signal_curve("recovered", Meaning::Reconstructed, &recovery, low, high)
+            .dashed()
+            .label(text!("recovered", "восстановлен")),
+    )
+    .with(
+        Layer::dots("samples", Meaning::Samples, {
+            samples.points().iter().copied().filter(|p| p[0] > low && p[0] < high)
+        })
+        .label(text!("samples", "отсчёты")),
+    );
 
     let parts: Vec<f64> = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97].into();
     let conditions = |positions: &[f64]| -> Result<Vec<[f64; 2]>> {

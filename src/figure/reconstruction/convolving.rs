@@ -3,8 +3,8 @@
 use crate::comb::{Comb, sample};
 use crate::error::Result;
 use crate::figure::common::{PIECES, difference, signal_curve, space, unmarked, values};
+use crate::figure::formal::sampling::{SPIKES_END, SPIKES_MARGIN, spikes};
 use crate::figure::params::Param;
-use crate::figure::sampling::{SPIKES_END, SPIKES_MARGIN, spikes};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel};
 use crate::kernel::Kernel;
 use crate::kernel::catalog::by_name;

@@ -141,7 +141,7 @@ fn mean_square_error(sum: &PartialSum, terms: u32) -> f64 {
 }
 
 const LITERAL: Entry = Entry {
-    id: "f11-literal",
+    id: "f11-unweighted",
     inventory: &["F11"],
     errata: &["E16"],
     title: &Text::fixed("Why the amplitudes matter", "Почему важны амплитуды"),

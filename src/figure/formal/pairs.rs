@@ -201,7 +201,7 @@ fn table_claims(figure: Figure, step: f64) -> Result<Figure> {
 }
 
 const LIMITS: Entry = Entry {
-    id: "f13-limits",
+    id: "f13-windows",
     inventory: &["F13"],
     errata: &["E01", "E02"],
     title: &Text::fixed("Impulses as limits", "Импульсы как пределы"),

@@ -2,8 +2,8 @@
 
 use crate::error::Result;
 use crate::figure::common::{density_curve, difference, frequency, values};
+use crate::figure::formal::replicas::order;
 use crate::figure::params::{Param, Params};
-use crate::figure::replicas::order;
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel};
 use crate::residual::Residual;
 use crate::signal::FourierPair;
@@ -28,7 +28,7 @@ const LOW_PASS: Entry = Entry {
     errata: &["E03", "E04", "E05", "E20"],
     title: &Text::fixed(
         "Reconstruction in frequency: cut out one copy",
-        "Реконструкция по частоте: вырезать одну копию",
+        "Реконструкция в частотной области: вырезать копию",
     ),
     caption: &Text::fixed(
         "Where the copies do not overlap, a box of width 1/T and height 1 cuts the original out. The box is a function of \

@@ -25,11 +25,11 @@ const CHOICE: Entry = Entry {
     errata: &[],
     title: &Text::fixed("Choosing a filter: blur, alias or ringing", "Как выбрать фильтр: размытие, алиас или звон"),
     caption: &Text::fixed(
-        "Every filter blurs (S), lets images through (P) or rings; the ideal one, at the corner without blur, rings most. \
+        "Every filter blurs (S), lets images through (P) or rings; the ideal one does not blur and rings by 14 %. \
          Nobody is best in all three. On the curve of cubics with B + 2C = 1 one knob goes from sharp and ringing \
          (Catmull–Rom) to soft and calm (B-spline); Mitchell is the compromise.",
-        "Каждый фильтр размывает (S), пропускает копии спектра (P) или звенит; идеальный, в углу без размытия, звенит \
-         сильнее всех. Лучшего сразу по трём нет. На кривой кубических ядер с B + 2C = 1 одна ручка ведёт от резкого и \
+        "Каждый фильтр размывает (S), пропускает копии спектра (P) или звенит; идеальный не \
+         размывает, но звенит на 14 %. Лучшего сразу по трём нет. На кривой кубических ядер с B + 2C = 1 одна ручка ведёт от резкого и \
          звенящего (Катмулл–Ром) к мягкому и спокойному (B-сплайн); Митчелл — компромисс.",
     ),
     params: &[Param::real("B", &B, 0.0, 0.0, 1.0, ""), Param::real("C", &C, 0.0, 0.0, 1.0, "")],
@@ -71,7 +71,9 @@ fn kinds() -> [Kind; 3] {
             members: CUBIC,
         },
         Kind { label: text!("never ring", "не звенят"), meaning: Meaning::Series(2), members: PLAIN },
-        Kind { label: text!("sincs", "sinc с окном"), meaning: Meaning::Series(1), members: WINDOWED },
+        Kind {
+            label: text!("made of sincs", "на основе sinc"), meaning: Meaning::Series(1), members: WINDOWED
+        },
     ]
 }
 

@@ -25,7 +25,7 @@ static TURNS: Text = Text::fixed("frequency ν: turns per unit of x", "част�
 pub static ENTRIES: &[Entry] = &[TRANSFORM, EULER];
 
 const TRANSFORM: Entry = Entry {
-    id: "f12-transform",
+    id: "f12-both-ways",
     inventory: &["F12"],
     errata: &[],
     title: &Text::fixed("Forward and inverse Fourier transform", "Прямое и обратное преобразование Фурье"),

@@ -28,7 +28,7 @@ static BAND: Text = Text::fixed("band limit B of the signal", "граница п
 pub static ENTRIES: &[Entry] = &[INGREDIENTS, REPLICAS, CLOSER];
 
 /// How many copies reach into `|ν| ≤ limit`.
-pub(super) fn order(spectrum: &Spectrum, rate: f64, limit: f64) -> usize {
+pub(in crate::figure) fn order(spectrum: &Spectrum, rate: f64, limit: f64) -> usize {
     ((spectrum.extent() + limit) / rate).ceil() as usize
 }
 
@@ -194,8 +194,13 @@ fn replicas(step: f64) -> Result<Figure> {
                 "копии той же высоты, что и F: усиление 1, а не 1/T = {}",
                 number(rate, 3)
             ),
-            // next to the peak of one copy stand the tails of its neighbours
-            Residual::near("height of the copies = F(0) + neighbours' tails", height, neighbours, 1e-3 * neighbours),
+            // f is nowhere negative, so its Fourier sum is largest at zero, where the drawn grid has a point
+            Residual::near(
+                "height of the copies = F(0) + neighbours' tails",
+                height,
+                neighbours,
+                64.0 * f64::EPSILON * neighbours,
+            ),
         ))
 }
 
