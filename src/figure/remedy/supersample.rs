@@ -113,7 +113,7 @@ fn supersampling(n: usize) -> Result<Figure> {
     .with(Layer::notes(
         "passes",
         Meaning::Leaked,
-        [([near - 1.0, passes.signum()], text!("{}: {}", "{}: {}", number(near, 3), number(passes, 3)))],
+        [([near - 0.2 * limit, passes.signum()], text!("{}: {}", "{}: {}", number(near, 3), number(passes, 3)))],
     ));
 
     let scene = from_fn(|x| 0.55 * cos_pi(0.46 * x + 0.3) + 0.35 * cos_pi(3.4 * x));
