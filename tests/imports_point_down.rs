@@ -5,9 +5,30 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 19] = [
-    "text", "error", "num", "residual", "axis", "spectrum", "signal", "nyquist", "kernel", "sampled", "comb",
-    "reconstruct", "beyond", "resolve", "laws", "figure", "plot", "gallery", "cli",
+const FLOORS: [&str; 23] = [
+    "text",
+    "error",
+    "num",
+    "residual",
+    "axis",
+    "grid",
+    "spectrum",
+    "signal",
+    "field",
+    "nyquist",
+    "kernel",
+    "sampled",
+    "comb",
+    "reconstruct",
+    "image",
+    "door",
+    "beyond",
+    "resolve",
+    "laws",
+    "figure",
+    "plot",
+    "gallery",
+    "cli",
 ];
 
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {

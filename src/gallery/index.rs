@@ -40,8 +40,7 @@ pub fn entry(entry: &Entry, figure: &Figure) -> Value {
             })
         })
         .collect();
-    let panels: Vec<Value> =
-        figure.panels.iter().map(|p| json!({ "name": p.name, "title": both(&p.title) })).collect();
+    let panels: Vec<Value> = figure.panels.iter().map(|p| json!({ "name": p.name, "title": both(&p.title) })).collect();
     json!({
         "id": entry.id, "inventory": entry.inventory, "errata": entry.errata,
         "title": both(entry.title), "caption": both(entry.caption),
