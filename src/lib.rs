@@ -84,6 +84,7 @@ pub mod figure;
 #[cfg(feature = "plot")]
 pub mod gallery;
 pub mod grid;
+pub mod image;
 pub mod kernel;
 pub mod laws;
 pub mod num;
@@ -130,6 +131,10 @@ pub mod prelude {
     pub use crate::field::zoomed::Zoomed;
     pub use crate::field::{ExactMean, Field, FourierField, from_fn as field_fn};
     pub use crate::grid::Grid;
+    pub use crate::image::dft::{forward as image_forward, inverse as image_inverse};
+    pub use crate::image::filter::{Filter, Shape};
+    pub use crate::image::lattice::Lattice;
+    pub use crate::image::{Image, ImageBins, Rgb};
     pub use crate::kernel::box_kernel::BoxKernel;
     pub use crate::kernel::cubic::Cubic;
     pub use crate::kernel::gaussian::GaussianKernel;

@@ -7,7 +7,7 @@ use nyquist::prelude::*;
 use std::f64::consts::{PI, TAU};
 
 fn resolved(f: impl Fn(f64) -> f64, interval: std::ops::Range<f64>, tolerance: f64) -> Resolved {
-    match resolve(&from_fn(f), interval, tolerance).unwrap() {
+    match resolve(&from_fn(f), interval, tolerance).expect("the arguments are valid") {
         Resolution::Resolved(resolved) => resolved,
         other => panic!("not resolved: {other:?}"),
     }

@@ -166,10 +166,14 @@ impl PlaneSpectrum {
     /// `F(u − u₀, v − v₀)`: the transform of the field times `e^{2πi(u₀x + v₀y)}`; a copy.
     #[must_use]
     pub fn translated(&self, [u0, v0]: [f64; 2]) -> Self {
-        let shift = |l: &PlaneImpulse| PlaneImpulse { at: [l.at[0] + u0, l.at[1] + v0], ..*l };
-        let lines = self.lines.iter().map(shift).collect();
         let density = self.density.clone().map(|f| Arc::new(move |u: f64, v: f64| f(u - u0, v - v0)) as Density);
-        Self::build(density, lines)
+        Self { density, ..self.lines_at([u0, v0]) }
+    }
+
+    /// The lines alone, moved by a frequency.
+    pub(crate) fn lines_at(&self, [u0, v0]: [f64; 2]) -> Self {
+        let shift = |l: &PlaneImpulse| PlaneImpulse { at: [l.at[0] + u0, l.at[1] + v0], ..*l };
+        Self::build(None, self.lines.iter().map(shift).collect())
     }
 
     /// `gain·F(to(ν))` for a linear map of the frequencies; lines, which keep their weight, go the other way, by `from`.

@@ -4,6 +4,7 @@ mod bins;
 pub mod convolution;
 pub mod dft;
 pub mod dtft;
+pub(crate) mod plan;
 pub mod power;
 mod samples;
 pub mod window;
