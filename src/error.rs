@@ -188,7 +188,8 @@ pub fn unknown<'a>(kind: &'static str, name: &str, known: impl IntoIterator<Item
     let mut known: Vec<String> = known.into_iter().map(str::to_owned).collect();
     let near = |k: &String| {
         let contains = k.contains(name) || name.contains(k.as_str());
-        edits(k, name) - if contains { k.chars().count().min(name.chars().count()) } else { 0 }
+        let shared = if contains { k.chars().count().min(name.chars().count()) } else { 0 };
+        edits(k, name) as i64 - shared as i64
     };
     known.sort_by_key(near);
     Error::Unknown { kind, name: name.to_owned(), known }

@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
   nyquist figures f28-leak --set T=0.9 --lang ru --format png
   nyquist figures --theme dark --out slides
   nyquist figures --list --json")]
-pub struct Args {
+pub(super) struct Args {
     /// Figures by id (f28-leak) or by the lecture's inventory (F28); all if none is given
     ids: Vec<String>,
     /// The folder to write into
@@ -61,7 +61,7 @@ fn format(name: &str) -> Result<Format, Error> {
     found.ok_or_else(|| unknown("format", name, Format::ALL.iter().map(|f| f.extension())))
 }
 
-pub fn lang(name: &str) -> Result<Lang, Error> {
+pub(super) fn lang(name: &str) -> Result<Lang, Error> {
     let found = Lang::ALL.into_iter().find(|l| l.code() == name);
     found.ok_or_else(|| unknown("language", name, Lang::ALL.iter().map(|l| l.code())))
 }
@@ -81,7 +81,7 @@ fn assignment(given: &str) -> Result<(String, String), Error> {
     Ok((name.into(), value.into()))
 }
 
-pub fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
+pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     let entries: Vec<&'static Entry> = if args.ids.is_empty() {
         catalog::all()
     } else {

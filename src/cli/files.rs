@@ -7,7 +7,7 @@ use std::path::Path;
 
 /// Writes to a temporary file beside the target and renames it, so that an existing file is replaced whole or stays
 /// as it was.
-pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let failed = |error: std::io::Error| Failure::trouble(format!("cannot write {}", path.display()), error);
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     fs::create_dir_all(folder).map_err(failed)?;

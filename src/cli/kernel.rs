@@ -10,7 +10,7 @@ use std::io::Write;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example:
   nyquist kernel mitchell > mitchell.csv")]
-pub struct Args {
+pub(super) struct Args {
     /// The kernel to tabulate as CSV (t, value, frequency, response); a list of all if none is given
     name: Option<String>,
     /// How many rows the table has
@@ -18,7 +18,7 @@ pub struct Args {
     rows: u32,
 }
 
-pub fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
+pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     let Some(name) = &args.name else {
         writeln!(out, "{:<16} {:>6}  claims", "name", "radius")?;
         for kernel in catalog::all() {

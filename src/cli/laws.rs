@@ -10,7 +10,7 @@ use std::io::Write;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example:
   nyquist laws alias-energy V02 --json")]
-pub struct Args {
+pub(super) struct Args {
     /// Laws by name (alias-energy) or by the result they state (V07); all if none is given
     names: Vec<String>,
     /// Print JSON instead of a table
@@ -21,7 +21,7 @@ pub struct Args {
     lang: Lang,
 }
 
-pub fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
+pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     let laws: Vec<&Law> = if args.names.is_empty() {
         catalog::all().collect()
     } else {

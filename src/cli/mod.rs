@@ -70,7 +70,7 @@ impl Failure {
 }
 
 /// Parses the arguments, runs the command, and says what went wrong.
-pub fn run() -> ExitCode {
+pub(crate) fn run() -> ExitCode {
     let cli = Cli::parse();
     let mut out = io::stdout().lock();
     let done = match cli.command {

@@ -1,10 +1,20 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::figure::{Entry, aliasing};
+use crate::figure::{Entry, adaptive, aliasing, display, folding, gibbs, jitter, problem, sources, stochastic};
 
 /// The families, each with its entries.
-static FAMILIES: &[&[Entry]] = &[aliasing::ENTRIES];
+static FAMILIES: &[&[Entry]] = &[
+    display::ENTRIES,
+    problem::ENTRIES,
+    folding::ENTRIES,
+    aliasing::ENTRIES,
+    stochastic::ENTRIES,
+    jitter::ENTRIES,
+    adaptive::ENTRIES,
+    gibbs::ENTRIES,
+    sources::ENTRIES,
+];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.
 pub fn all() -> Vec<&'static Entry> {

@@ -4,10 +4,18 @@
 //! (`figure.layer("alias")`), and what its caption states is a list of [`Claim`]s, each a residual computed from the
 //! same data that is drawn.
 
+pub mod adaptive;
 pub mod aliasing;
 pub mod catalog;
 pub mod common;
+pub mod display;
+pub mod folding;
+pub mod gibbs;
+pub mod jitter;
 pub mod params;
+pub mod problem;
+pub mod sources;
+pub mod stochastic;
 
 use crate::residual::Residual;
 use crate::text::Text;

@@ -62,7 +62,8 @@ impl Kernel for Ideal {
     /// the tone at Nyquist through with half of its two lines each, so that a cosine comes back with the gain `cos φ`
     /// (E05).
     fn periodic(&self, u: f64, n: usize) -> f64 {
-        let period = n.max(1) as f64;
+        let n = n.max(1);
+        let period = n as f64;
         let u = u - period * (u / period).round();
         let slow = sin_pi(u / period);
         // below 1e-8 of a step the kernel is 1 − (πu)²/6 at least

@@ -1,10 +1,27 @@
 //! All laws, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::laws::{Law, alias, poisson, theorems};
+use crate::laws::{
+    Law, alias, cubics, frames, generalised, gibbs, hold, integration, jitter, kernels, metrics, poisson, theorems,
+    truncation,
+};
 
 /// The themes, each with its laws.
-static THEMES: &[&[Law]] = &[theorems::LAWS, poisson::LAWS, alias::LAWS];
+static THEMES: &[&[Law]] = &[
+    theorems::LAWS,
+    poisson::LAWS,
+    alias::LAWS,
+    gibbs::LAWS,
+    truncation::LAWS,
+    kernels::LAWS,
+    cubics::LAWS,
+    metrics::LAWS,
+    hold::LAWS,
+    jitter::LAWS,
+    integration::LAWS,
+    generalised::LAWS,
+    frames::LAWS,
+];
 
 /// All laws.
 pub fn all() -> impl Iterator<Item = &'static Law> {

@@ -5,8 +5,18 @@
 
 pub mod alias;
 pub mod catalog;
+pub mod cubics;
+pub mod frames;
+pub mod generalised;
+pub mod gibbs;
+pub mod hold;
+pub mod integration;
+pub mod jitter;
+pub mod kernels;
+pub mod metrics;
 pub mod poisson;
 pub mod theorems;
+pub mod truncation;
 
 use crate::residual::Residual;
 use crate::text::Text;

@@ -12,6 +12,7 @@ pub mod sinc;
 pub mod tent;
 pub mod theorem;
 pub mod tone;
+pub mod trigonometric;
 
 use crate::spectrum::Spectrum;
 

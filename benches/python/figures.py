@@ -1,0 +1,94 @@
+"""Three of the lecture's figures drawn with matplotlib, to SVG, PNG and PDF: the yardstick for `nyquist figures`.
+
+The same panels, curves, number of points and size (1600 x 900) as f20-closer, f27-overlap and f28-leak. Run by
+benches/figures.sh, which times both side by side.
+"""
+
+import sys
+import time
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+matplotlib.rcParams.update({"font.size": 17, "font.family": "DejaVu Sans", "svg.hashsalt": "nyquist"})
+PIECES = 801
+
+
+def gaussian(a):
+    width = np.sqrt(a / np.pi)
+    return (lambda x: np.exp(-np.pi * (x / width) ** 2) / width), (lambda nu: np.exp(-a * nu**2))
+
+
+def raised_cosine(band):
+    return lambda nu: np.where(np.abs(nu) < band, np.cos(np.pi * nu / (2 * band)) ** 2, 0.0)
+
+
+def closer():
+    figure, axes = plt.subplots(4, 1, figsize=(16, 9))
+    spectrum, nu = raised_cosine(0.5), np.linspace(-2.5, 2.5, PIECES)
+    for axis, step in zip(axes, [0.5, 1.0, 1.5, 2.0]):
+        order = int(np.ceil((0.5 + 2.5) * step))
+        copies = [spectrum(nu - k / step) for k in range(-order, order + 1)]
+        for copy in copies:
+            axis.plot(nu, copy, lw=1)
+        axis.plot(nu, sum(copies), lw=3, label="sum")
+        axis.set(title=f"T = {step}", xlabel="ν", ylabel="F(ν)", ylim=(0, 2))
+        axis.legend()
+    return figure
+
+
+def overlap():
+    figure, axis = plt.subplots(figsize=(16, 9))
+    _, spectrum = gaussian(8)
+    nu = np.linspace(-1.5, 1.5, PIECES)
+    copies = [spectrum(nu - k) for k in range(-4, 5)]
+    for copy in copies:
+        axis.plot(nu, copy, lw=1, color="C0")
+    axis.plot(nu, sum(copies), lw=4, color="C3", label="their sum: all that the samples know")
+    axis.axvline(-0.5, ls="--", color="grey")
+    axis.axvline(0.5, ls="--", color="grey")
+    axis.set(title="Aliasing: the copies overlap", xlabel="ν", ylabel="F(ν)", ylim=(0, 1.25))
+    axis.legend()
+    return figure
+
+
+def leak():
+    figure, (left, right) = plt.subplots(1, 2, figsize=(16, 9))
+    f, spectrum = gaussian(8)
+    nu = np.linspace(-1.25, 1.25, PIECES)
+    inside = np.abs(nu) < 0.5
+    kept = np.where(inside, sum(spectrum(nu - k) for k in range(-4, 5)), 0)
+    left.fill_between(nu[inside], spectrum(nu[inside]), kept[inside], alpha=0.4, label="leaked")
+    left.plot(nu, spectrum(nu), label="signal")
+    left.plot(nu, kept, lw=4, label="reconstruction")
+    left.set(title="in frequency", xlabel="ν", ylabel="F(ν)")
+    left.legend()
+    x = np.linspace(-2.5, 2.5, PIECES)
+    k = np.arange(-12, 13)
+    right.plot(x, f(x), label="signal")
+    right.plot(x, np.sinc(x[:, None] - k) @ f(k), lw=4, label="reconstruction")
+    right.plot(k[10:15], f(k[10:15]), "o", label="samples")
+    right.set(title="in space", xlabel="x", ylabel="f(x)")
+    right.legend()
+    return figure
+
+
+def main(out, repeats):
+    out.mkdir(parents=True, exist_ok=True)
+    for _ in range(repeats):
+        start = time.perf_counter()
+        for build in [closer, overlap, leak]:
+            figure = build()
+            figure.tight_layout()
+            for extension in ["svg", "png", "pdf"]:
+                figure.savefig(out / f"{build.__name__}.{extension}", dpi=100)
+            plt.close(figure)
+        print(f"{time.perf_counter() - start:.4f}")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), int(sys.argv[2]))

@@ -1,0 +1,262 @@
+//! Where everything stands: the grid of panels, their margins, ticks and titles, from measured text.
+
+use super::chart::Frame;
+use super::legend::{self, Listed};
+use super::look::Sizes;
+use super::raster::settled;
+use super::ruler::{Room, Ruler};
+use super::typeset::{self, CAP, Face, LEADING};
+use crate::figure::{Figure, Legend, Panel, Scale};
+use crate::text::Lang;
+
+/// A panel with everything decided.
+#[derive(Debug)]
+pub(super) struct Placed<'a> {
+    pub panel: &'a Panel,
+    /// The rectangle that the scales span.
+    pub plot: Frame,
+    pub x: Ruler,
+    pub y: Ruler,
+    pub title: Fitted,
+    pub x_label: Fitted,
+    pub y_label: Fitted,
+    pub legend: Option<Listed<'a>>,
+    /// Whether the legend stands above the plot.
+    above: bool,
+    /// What stands around the plot.
+    pub margins: Margins,
+    pub cell: Frame,
+    row: usize,
+    columns: (usize, usize),
+}
+
+/// Text, broken into lines, and the size at which it fits.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Fitted {
+    pub text: String,
+    pub size: f64,
+}
+
+impl Fitted {
+    fn new(text: &str, face: Face, size: f64, least: f64, room: f64) -> Self {
+        let (text, size) = typeset::fit(text, face, size, least.min(size), room);
+        Self { text, size }
+    }
+
+    fn lines(&self) -> f64 {
+        self.text.lines().count() as f64
+    }
+
+    /// The height of all lines with their leading.
+    pub(super) fn height(&self) -> f64 {
+        self.lines() * LEADING * self.size
+    }
+}
+
+/// What stands around a plot, in units of the picture.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Margins {
+    pub left: f64,
+    pub right: f64,
+    pub top: f64,
+    pub bottom: f64,
+}
+
+impl Margins {
+    fn max(self, other: Self) -> Self {
+        Self {
+            left: self.left.max(other.left),
+            right: self.right.max(other.right),
+            top: self.top.max(other.top),
+            bottom: self.bottom.max(other.bottom),
+        }
+    }
+}
+
+/// The length of a tick. plotters puts labels at twice that distance: far enough that in the corner of the frame the
+/// lowest number on the left stays above the exponent of the first one below.
+pub(super) fn tick(sizes: &Sizes) -> f64 {
+    0.3 * sizes.body
+}
+
+/// Everything of `figure` placed within `page`.
+pub(super) fn placed<'a>(figure: &'a Figure, page: Frame, sizes: &Sizes, lang: Lang) -> Vec<Placed<'a>> {
+    let mut panels = grid(figure, page, sizes);
+    settle(&mut panels, sizes, lang);
+    // A legend that would hide data in every corner moves above its plot, if the plot can spare the room.
+    let mut moved = false;
+    for p in &mut panels {
+        let hides =
+            |p: &Placed<'_>| legend::boxed(p.panel, sizes, lang, p.plot, (&p.x, &p.y)).is_some_and(|(_, hides)| hides);
+        if !p.above && p.plot.height() > 6.0 * sizes.body && hides(p) {
+            (p.above, moved) = (true, true);
+        }
+    }
+    if moved {
+        settle(&mut panels, sizes, lang);
+    }
+    for p in panels.iter_mut().filter(|p| !p.above) {
+        p.legend = legend::boxed(p.panel, sizes, lang, p.plot, (&p.x, &p.y)).map(|(listed, _)| listed);
+    }
+    panels
+}
+
+/// Chooses margins, ticks and plots. Ticks depend on the plot's size, and that on the width of the labels: a few rounds
+/// settle it, the last ones never giving room back.
+fn settle(panels: &mut [Placed<'_>], sizes: &Sizes, lang: Lang) {
+    for round in 0..5 {
+        for p in panels.iter_mut() {
+            p.measure(sizes, lang);
+        }
+        let needs: Vec<Margins> = panels.iter().map(|p| p.needs(sizes)).collect();
+        let shared: Vec<Margins> = panels.iter().map(|p| p.shared(panels, &needs)).collect();
+        for (p, needed) in panels.iter_mut().zip(shared) {
+            p.margins = if round < 2 { needed } else { p.margins.max(needed) };
+            let m = p.margins;
+            let room = Frame {
+                left: (p.cell.left + m.left).ceil(),
+                top: (p.cell.top + m.top).ceil(),
+                right: (p.cell.right - m.right).floor(),
+                bottom: (p.cell.bottom - m.bottom).floor(),
+            };
+            p.plot = settled(p.panel, room);
+        }
+    }
+    for p in panels {
+        p.measure(sizes, lang);
+    }
+}
+
+/// The cells of the grid.
+fn grid<'a>(figure: &'a Figure, page: Frame, sizes: &Sizes) -> Vec<Placed<'a>> {
+    let columns = figure.columns.max(1);
+    let mut places = Vec::new();
+    let (mut row, mut column) = (0, 0);
+    for panel in &figure.panels {
+        let span = panel.span.clamp(1, columns);
+        if column + span > columns {
+            (row, column) = (row + 1, 0);
+        }
+        places.push((panel, row, (column, column + span)));
+        column += span;
+    }
+    let rows = if figure.panels.is_empty() { 0 } else { row + 1 };
+    let gap = (24.0 * sizes.one, 18.0 * sizes.one);
+    let weight = |r: usize| figure.heights.get(r).copied().filter(|w| *w > 0.0 && w.is_finite()).unwrap_or(1.0);
+    let total: f64 = (0..rows).map(weight).sum();
+    let height = page.height() - gap.1 * rows.saturating_sub(1) as f64;
+    let width = (page.width() - gap.0 * (columns - 1) as f64) / columns as f64;
+    let top = |r: usize| page.top + (0..r).map(|r| height * weight(r) / total + gap.1).sum::<f64>();
+    let left = |c: usize| page.left + c as f64 * (width + gap.0);
+    let place = |(panel, row, columns): (&'a Panel, usize, (usize, usize))| {
+        let cell = Frame {
+            left: left(columns.0),
+            top: top(row),
+            right: left(columns.1) - gap.0,
+            bottom: top(row + 1) - gap.1,
+        };
+        let empty = Room { length: 1.0, takes: &|_| 1.0, most: 2, lang: Lang::En };
+        let plot = Frame {
+            left: cell.left + 3.0 * sizes.body,
+            top: cell.top + 2.0 * sizes.body,
+            right: cell.right - sizes.body,
+            bottom: cell.bottom - 3.0 * sizes.body,
+        };
+        Placed {
+            panel,
+            plot,
+            x: Ruler::new(&panel.x, &empty),
+            y: Ruler::new(&panel.y, &empty),
+            title: Fitted::default(),
+            x_label: Fitted::default(),
+            y_label: Fitted::default(),
+            legend: None,
+            above: panel.legend == Legend::Above,
+            margins: Margins::default(),
+            cell,
+            row,
+            columns,
+        }
+    };
+    places.into_iter().map(place).collect()
+}
+
+impl Placed<'_> {
+    /// Ticks, titles and the legend above, for the present size of the plot.
+    fn measure(&mut self, sizes: &Sizes, lang: Lang) {
+        let wide = |label: &str| typeset::width(label, Face::Regular, sizes.body) + 0.7 * sizes.body;
+        let tall = |label: &str| sizes.body * if label.contains("^{") { 1.75 } else { 1.5 };
+        let most = |length: f64, each: f64, top: usize| ((length / (each * sizes.body)) as usize).clamp(3, top);
+        let (width, height) = (self.plot.width(), self.plot.height());
+        let ruler = |scale: &Scale, length, takes, most| Ruler::new(scale, &Room { length, takes, most, lang });
+        self.x = ruler(&self.panel.x, width, &wide, most(width, 2.6, 11));
+        self.y = ruler(&self.panel.y, height, &tall, most(height, 1.9, 8));
+        let body = |text: &str, room| Fitted::new(text, Face::Regular, sizes.body, sizes.least, room);
+        self.x_label = body(self.panel.x.label.get(lang), self.cell.width().min(1.6 * width));
+        self.y_label = body(self.panel.y.label.get(lang), height.max(4.0 * sizes.body));
+        let title = self.panel.title.get(lang);
+        self.title = Fitted::new(title, Face::Bold, sizes.heading, sizes.least, self.cell.width());
+        self.legend = if self.above { legend::rows(self.panel, sizes, lang, width) } else { None };
+    }
+
+    /// The height of the legend above the plot.
+    pub(super) fn rows(&self) -> f64 {
+        let rows = self.legend.as_ref().filter(|l| l.frame.is_none());
+        rows.map_or(0.0, |l| l.height())
+    }
+
+    /// The label areas left of and below the plot, as plotters takes them.
+    pub(super) fn label_areas(&self, sizes: &Sizes) -> (f64, f64) {
+        let gap = 2.0 * tick(sizes);
+        let ticks = &self.y.ticks;
+        let widest = ticks.iter().map(|t| typeset::width(&t.1, Face::Regular, sizes.body)).fold(0.0, f64::max);
+        let mut left = if ticks.is_empty() { 0.0 } else { gap + widest };
+        let lines = self.y_label.lines();
+        if lines > 0.0 {
+            left += self.y_label.size * (CAP + 0.3 + LEADING * (lines - 1.0)) + 0.35 * sizes.body;
+        }
+        let numbers = self.x.ticks.iter().map(|t| t.1.lines().count()).max().unwrap_or(0) as f64;
+        let mut below = if numbers == 0.0 { 0.0 } else { gap + sizes.body * (CAP + 0.25 + LEADING * (numbers - 1.0)) };
+        let lines = self.x_label.lines();
+        if lines > 0.0 {
+            below += self.x_label.size * (CAP + LEADING * (lines - 1.0)) + 0.45 * sizes.body;
+        }
+        (left, below)
+    }
+
+    fn needs(&self, sizes: &Sizes) -> Margins {
+        let (left, below) = self.label_areas(sizes);
+        let beyond = |part: f64, label: &str, length: f64, end: f64| {
+            let half = 0.5 * typeset::width(label, Face::Regular, sizes.body);
+            half - (part - end).abs() * length
+        };
+        let width = self.plot.width();
+        let over = |end: f64| {
+            let ticks = self.x.ticks.iter();
+            ticks.map(|t| beyond(self.x.part(t.0), &t.1, width, end)).fold(0.0, f64::max)
+        };
+        let label = 0.5 * (typeset::width(&self.x_label.text, Face::Regular, self.x_label.size) - width).max(0.0);
+        let title = self.title.height() + if self.title.lines() > 0.0 { 0.4 * sizes.body } else { 0.0 };
+        let rows = self.rows();
+        Margins {
+            left: left.max(over(0.0)).max(label),
+            right: over(1.0).max(label).max(2.0 * sizes.one),
+            top: (title + rows).max(0.5 * sizes.body),
+            bottom: below + 0.28 * sizes.body,
+        }
+    }
+
+    /// Panels of a column share their left and right margins, those of a row their upper and lower ones, so that plots
+    /// stand in line.
+    fn shared(&self, panels: &[Placed<'_>], needs: &[Margins]) -> Margins {
+        let most = |same: &dyn Fn(&Placed<'_>) -> bool, of: &dyn Fn(&Margins) -> f64| {
+            panels.iter().zip(needs).filter(|(p, _)| same(p)).map(|(_, m)| of(m)).fold(0.0, f64::max)
+        };
+        Margins {
+            left: most(&|p| p.columns.0 == self.columns.0, &|m| m.left),
+            right: most(&|p| p.columns.1 == self.columns.1, &|m| m.right),
+            top: most(&|p| p.row == self.row, &|m| m.top),
+            bottom: most(&|p| p.row == self.row, &|m| m.bottom),
+        }
+    }
+}
