@@ -2,7 +2,7 @@
 
 use crate::error::{Result, finite, positive};
 use crate::field::spectrum::{PlaneImpulse, PlaneSpectrum};
-use crate::field::{ExactMean, Field, FourierField};
+use crate::field::{ExactMean, Field, FourierField, rectangle};
 use crate::num::{cos_pi, sin_pi, sinc};
 use num_complex::Complex;
 use std::f64::consts::PI;
@@ -92,9 +92,13 @@ impl Field for Grating {
 
 impl ExactMean for Grating {
     fn mean(&self, x: [f64; 2], y: [f64; 2]) -> f64 {
-        let gain = |nu: f64, [a, b]: [f64; 2]| sinc(nu * (b - a));
+        let middle = |[a, b]: [f64; 2]| 0.5 * (a + b);
+        let value = self.at(middle(x), middle(y));
         let [u, v] = self.frequency;
-        self.at(0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])) * gain(u, x) * gain(v, y)
+        match rectangle(x, y) {
+            Ok([x, y]) => value * sinc(u * (x[1] - x[0])) * sinc(v * (y[1] - y[0])),
+            Err(_) => value,
+        }
     }
 }
 
