@@ -45,7 +45,7 @@ impl Grid {
     /// # Errors
     /// No pixels, or more than [`Grid::MOST`].
     pub fn pixels(width: usize, height: usize) -> Result<Self> {
-        let axis = |n: usize| Ok(Axis::cells(0.0..n as f64, n)?.in_unit(Unit::PIXEL));
+        let axis = |n: usize| Ok(Axis::new(0.5, 1.0, n)?.in_unit(Unit::PIXEL));
         Self::new(axis(width)?, axis(height)?)
     }
 

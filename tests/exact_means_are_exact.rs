@@ -177,7 +177,8 @@ fn a_convex_polygon_covers_the_integral_of_its_rows() {
 
 /// `field` must be 0 or 1, and `lines` edges may cross the cell: counting errs by at most `lines/n`.
 fn counted(field: &impl ExactMean, cell: [[f64; 2]; 2], lines: f64) {
-    let residual = nyquist::laws::coverage::mean_by_counting(field, cell, 500, lines, 0.0).unwrap();
+    let residual =
+        nyquist::laws::coverage::mean_by_counting(field, cell, 500, lines, 0.0).expect("the arguments are valid");
     assert!(residual.holds(), "{cell:?}: {residual:?}");
 }
 
