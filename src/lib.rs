@@ -73,11 +73,13 @@
 //! | --- | --- |
 //! | none | the library: transforms, sampling, replication, kernels, reconstruction, laws, and figures as data |
 //! | `plot` | figures drawn as SVG, PNG and PDF (plotters, and an embedded font: nothing of the system is used) |
+//! | `files` | images from PNG and JPEG files, and to PNG |
 //! | `cli` (default) | the command `nyquist` |
 
 pub mod axis;
 pub mod beyond;
 pub mod comb;
+pub mod door;
 pub mod error;
 pub mod field;
 pub mod figure;
@@ -106,6 +108,10 @@ pub mod prelude {
         BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery, Refined,
     };
     pub use crate::comb::Comb;
+    pub use crate::door::picture::{Color, Picture};
+    pub use crate::door::srgb::{linear_to_srgb, srgb_to_linear};
+    #[cfg(feature = "files")]
+    pub use crate::door::{Depth, Limits, png_bytes, read_picture};
     pub use crate::error::{Error, Result};
     pub use crate::field::added::Added;
     pub use crate::field::amplified::Amplified;

@@ -8,12 +8,10 @@ use nyquist::prelude::*;
 
 #[test]
 fn at_nine_tenths_of_the_rate_a_ninth_is_left_and_at_the_first_side_lobe_a_fifth() {
-    for (cycles, pixels, printed) in [(9, 10, 0.1093), (143, 100, -0.2172), (1, 2, 0.6366), (39, 10, -0.0252)] {
+    for (cycles, pixels, printed) in [(9, 10, 0.1093), (143, 100, -0.2172), (39, 10, -0.0252)] {
         let gain = sinc(f64::from(cycles) / pixels as f64);
         assert!((gain - printed).abs() < 5e-5);
-        if pixels > 2 {
-            assert!(area_gain(cycles, pixels, gain).unwrap().holds());
-        }
+        assert!(area_gain(cycles, pixels, gain).unwrap().holds());
     }
 }
 
@@ -30,7 +28,7 @@ fn ghost(image: &Image) -> f64 {
 
 /// The same for a prefilter of the response `k`: a wave of the amplitude ½ with the gain at its local frequency.
 fn predicted(k: impl Fn(f64) -> f64) -> f64 {
-    let cells = Grid::cells(0.75..1.25, 400, -0.25..0.25, 400).unwrap_or_else(|e| panic!("{e}"));
+    let cells = Grid::cells(0.75..1.25, 400, -0.25..0.25, 400).expect("the ranges rise");
     let powers = cells.iter().map(|[u, v]| (0.5 * k(u) * k(v)).powi(2) / 2.0);
     (powers.sum::<f64>() / cells.len() as f64).sqrt()
 }

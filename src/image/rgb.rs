@@ -18,7 +18,7 @@ use crate::image::Image;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rgb {
-    planes: [Image; 3],
+    planes: Box<[Image; 3]>,
 }
 
 impl Rgb {
@@ -32,7 +32,7 @@ impl Rgb {
     pub fn new(planes: [Image; 3]) -> Result<Self> {
         let grid = planes[0].grid();
         match planes.iter().find(|p| p.grid() != grid) {
-            None => Ok(Self { planes }),
+            None => Ok(Self { planes: Box::new(planes) }),
             Some(other) if other.grid().len() == grid.len() => {
                 Err(Error::Unsupported("planes of colour on different grids"))
             }
@@ -58,7 +58,7 @@ impl Rgb {
     /// # Errors
     /// What `f` refuses, and planes that it puts on different grids.
     pub fn each(&self, mut f: impl FnMut(&Image) -> Result<Image>) -> Result<Self> {
-        let [red, green, blue] = &self.planes;
+        let [red, green, blue] = &*self.planes;
         Self::new([f(red)?, f(green)?, f(blue)?])
     }
 
