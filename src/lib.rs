@@ -174,6 +174,7 @@ pub mod prelude {
     pub use crate::signal::raised_cosine::RaisedCosine;
     pub use crate::signal::series::{PartialSum, Wave};
     pub use crate::signal::sinc::{Sinc, SincSquared};
+    pub use crate::signal::spline::Spline;
     pub use crate::signal::tent::Tent;
     pub use crate::signal::theorem::{Convolution, Derivative, Modulated, Product, Scaled, Shifted, Stretched, Sum};
     pub use crate::signal::tone::{Cosine, Sine};

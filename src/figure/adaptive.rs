@@ -54,13 +54,14 @@ fn adaptive(params: &Params) -> Result<Figure> {
     let refined = Refined::of(&pulse, axis, CONTRAST, halvings)?;
     let found: Vec<[f64; 2]> = refined.steep().collect();
     let of_level = |from: u32, to: u32| {
-        let of = refined.samples().iter().filter(move |s| (from..=to).contains(&s.level));
-        of.map(|s| [s.at, s.value]).collect::<Vec<_>>()
+        let mut of: Vec<_> = refined.samples().iter().filter(|s| (from..=to).contains(&s.level)).collect();
+        of.sort_by_key(|s| s.level);
+        of.into_iter().map(|s| [s.at, s.value]).collect::<Vec<_>>()
     };
     let samples_panel = Panel::new(
         "samples",
         text!("more where neighbours differ", "чаще, где соседи различны"),
-        space(0.0, LENGTH),
+        space(-0.1, LENGTH + 0.1),
         values("f(x)", -0.15, 1.25),
     )
     .legend(Legend::Above)
@@ -114,9 +115,12 @@ fn adaptive(params: &Params) -> Result<Figure> {
     let blind = Refined::of(&spike, axis, CONTRAST, halvings)?;
     let heights = blind.samples().iter().map(|s| s.value.abs()).fold(0.0, f64::max);
     let (low, high) = (at - 4.5 * step, at + 4.5 * step);
-    let failure = Panel::new("failure", text!("never found", "не будет найден"), space(low, high), {
-        values("f(x)", -0.15, 1.25)
-    })
+    let failure = Panel::new(
+        "failure",
+        text!("never found", "не будет найден"),
+        space(low - 0.3 * step, high + 0.3 * step),
+        values("f(x)", -0.15, 1.25),
+    )
     .legend(Legend::Above)
     .with(signal_curve("spike", Meaning::Error, &spike, low, high).thick().label(text!("spike", "пик")))
     .with(

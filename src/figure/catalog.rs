@@ -1,19 +1,32 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::figure::{Entry, adaptive, aliasing, display, folding, gibbs, jitter, problem, sources, stochastic};
+use crate::figure::{
+    Entry, adaptive, aliasing, cardinal, convolution, display, folding, formal, fourier, gibbs, jitter, low_pass,
+    overview, pairs, problem, replicas, sampling, series, sources, stochastic,
+};
 
 /// The families, each with its entries.
 static FAMILIES: &[&[Entry]] = &[
     display::ENTRIES,
     problem::ENTRIES,
+    sampling::ENTRIES,
     folding::ENTRIES,
+    formal::ENTRIES,
+    series::ENTRIES,
+    fourier::ENTRIES,
+    pairs::ENTRIES,
+    convolution::ENTRIES,
+    replicas::ENTRIES,
+    low_pass::ENTRIES,
     aliasing::ENTRIES,
     stochastic::ENTRIES,
     jitter::ENTRIES,
     adaptive::ENTRIES,
     gibbs::ENTRIES,
     sources::ENTRIES,
+    cardinal::ENTRIES,
+    overview::ENTRIES,
 ];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::error::Result;
-use crate::figure::common::{PIECES, frequency, signal_curve, space, values};
+use crate::figure::common::{PIECES, frequency, signal_curve, space, unmarked, values};
 use crate::figure::params::Param;
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel};
 use crate::kernel::Kernel;
@@ -49,28 +49,30 @@ const DISPLAY: Entry = Entry {
 /// How many standard deviations the spots reach: the Gaussian has fallen to `e^{−32}` there.
 const REACH: f64 = 8.0;
 /// Where the pictures in space end.
-const END: f64 = 20.0;
+const END: f64 = 10.0;
 
 fn display(f: f64, sigma: f64) -> Result<Figure> {
     let spot = GaussianKernel::new(sigma, REACH * sigma)?;
     let ripple = crate::kernel::metrics::dc_ripple(&spot);
-    let [held_space, held_spectrum, held_flat] = row(
+    let ([held_space, held_spectrum, held_flat], held) = row(
         ["hold", "hold-spectrum", "hold-flat"],
-        [text!("box: the sample is held", "прямоугольник: удержание"), text!("its spectrum", "его спектр")],
+        [
+            text!("box: the sample is held", "прямоугольник: удержание"),
+            text!("its spectrum", "его спектр"),
+            text!("a flat field", "ровное поле"),
+        ],
         f,
         BoxKernel,
         ripple,
     )?;
-    let [spot_space, spot_spectrum, spot_flat] = row(
+    let ([spot_space, spot_spectrum, spot_flat], spots) = row(
         ["spots", "spots-spectrum", "spots-flat"],
-        [text!("Gaussian spots", "гауссовы пятна"), text!("their spectrum", "их спектр")],
+        [text!("Gaussian spots", "гауссовы пятна"), text!("their spectrum", "их спектр"), Text::EMPTY],
         f,
         spot,
         ripple,
     )?;
 
-    let held = image_ratio(BoxKernel, f)?;
-    let spots = image_ratio(spot, f)?;
     let smooth = (-2.0 * (PI * sigma).powi(2) * (1.0 - 2.0 * f)).exp();
     // the kernel is the Gaussian less its value at the edge, and ends there; both together change its area, and so its
     // response anywhere, by less than
@@ -80,7 +82,7 @@ fn display(f: f64, sigma: f64) -> Result<Figure> {
     let drawn = spot_flat.layer("flat").map_or(f64::NAN, |l| peak_above_one(l.points()));
     let raster: f64 = (1..=4).map(|k| 2.0 * (-2.0 * (PI * sigma * f64::from(k)).powi(2)).exp()).sum();
     let levels = held_flat.layer("flat").map_or(f64::NAN, |l| peak_above_one(l.points()));
-    Ok(Figure::new(3)
+    Ok(Figure::new(8)
         .with(held_space)
         .with(held_spectrum)
         .with(held_flat)
@@ -123,57 +125,59 @@ fn peak_above_one(points: &[[f64; 2]]) -> f64 {
     points.iter().map(|p| (p[1] - 1.0).abs()).fold(0.0, f64::max)
 }
 
-/// The tone, its spectrum and a flat field as that kernel displays them.
+/// The tone, its spectrum and a flat field as that kernel displays them; the lower of two rows has the scales, the upper
+/// one the legends.
 fn row(
     names: [&'static str; 3],
-    titles: [Text; 2],
+    titles: [Text; 3],
     f: f64,
     kernel: impl Kernel + Copy + 'static,
     ripple: f64,
-) -> Result<[Panel; 3]> {
+) -> Result<([Panel; 3], Integral)> {
+    let lower = titles[2].is_empty();
+    let named = |layer: Layer, label: Text| if lower { layer } else { layer.label(label) };
     let tone = Cosine::new(f)?;
     // every spot that reaches into the picture
     let before = kernel.radius().ceil();
     let axis = Axis::new(-before, 1.0, (END + 2.0 * before) as usize + 1)?;
     let samples = Samples::of(&tone, axis);
     let shown = samples.points().filter(|[x, _]| (0.0..=END).contains(x));
-    let [title, spectrum_title] = titles;
-    let picture = Panel::new(names[0], title, space(0.0, END), values("f(x)", -1.25, 1.25))
+    let [title, spectrum_title, flat_title] = titles;
+    let picture = signal_curve("picture", Meaning::Reconstructed, &reconstruct(&samples, kernel), 0.0, END).thick();
+    let x = if lower { space(0.0, END) } else { unmarked(0.0, END) };
+    let picture = Panel::new(names[0], title, x, values("", -1.25, 1.25))
         .legend(Legend::Above)
-        .with(signal_curve("tone", Meaning::Signal, &tone, 0.0, END).dashed().label(text!("tone", "тон")))
-        .with(
-            signal_curve("picture", Meaning::Reconstructed, &reconstruct(&samples, kernel), 0.0, END)
-                .thick()
-                .label(text!("display", "дисплей")),
-        )
-        .with(Layer::dots("samples", Meaning::Samples, shown).label(text!("samples", "отсчёты")));
+        .span(3)
+        .with(named(signal_curve("tone", Meaning::Signal, &tone, 0.0, END).dashed(), text!("tone", "тон")))
+        .with(named(picture, text!("display", "дисплей")))
+        .with(named(Layer::dots("samples", Meaning::Samples, shown), text!("samples", "отсчёты")));
 
     let displayed = tone.spectrum().replicated(1.0, 3)?.times(move |nu| kernel.response(nu).into());
     let weights = |image: bool| {
         let lines = displayed.lines().iter().filter(move |l| l.at > 0.0 && (l.at > 0.5) == image);
         lines.map(|l| [l.at, 2.0 * l.weight.re]).collect::<Vec<_>>()
     };
-    let spectrum = Panel::new(names[1], spectrum_title, frequency(0.0, 2.25), values("", -0.2, 1.15))
+    let ratio = image_ratio(kernel, f)?;
+    let says = text!("copy/tone = {}", "копия/тон = {}", number(ratio.value, 3));
+    let end = 2.25;
+    let response = Layer::curve("response", Meaning::Kernel, 0.0, end, PIECES, |nu| kernel.response(nu)).dashed();
+    let x = if lower { frequency(0.0, end) } else { unmarked(0.0, end) };
+    let spectrum = Panel::new(names[1], spectrum_title, x, values("", -0.3, 1.15))
         .legend(Legend::Above)
-        .with(
-            Layer::curve("response", Meaning::Kernel, 0.0, 2.25, PIECES, |nu| kernel.response(nu))
-                .dashed()
-                .label(text!("response", "отклик")),
-        )
-        .with(Layer::arrows("tone", Meaning::Reconstructed, weights(false)).label(text!("tone", "тон")))
-        .with(Layer::arrows("images", Meaning::Replica, weights(true)).label(text!("its copies", "его копии")));
+        .span(3)
+        .with(named(response, text!("response", "отклик")))
+        .with(named(Layer::arrows("tone", Meaning::Reconstructed, weights(false)), text!("tone", "тон")))
+        .with(named(Layer::arrows("images", Meaning::Replica, weights(true)), text!("copies", "копии")))
+        .with(Layer::notes("image", Meaning::Replica, [([1.5, 0.45], says)]));
 
     let flat = Samples::of(&Constant::new(1.0)?, axis);
-    let depth = 1.5 * ripple.max(0.004);
-    let field = Panel::new(
-        names[2],
-        text!("a flat field", "ровное поле"),
-        space(0.0, 8.0),
-        values("", 1.0 - depth, 1.0 + depth),
-    )
-    .with(signal_curve("flat", Meaning::Reconstructed, &reconstruct(&flat, kernel), 0.0, 8.0).thick())
-    .with(Layer::dots("samples", Meaning::Samples, flat.points().filter(|[x, _]| (0.0..=8.0).contains(x))));
-    Ok([picture, spectrum, field])
+    let (depth, width) = (1.5 * ripple.max(0.004), 6.0);
+    let x = if lower { space(0.0, width) } else { unmarked(0.0, width) };
+    let field = Panel::new(names[2], flat_title, x, values("", 1.0 - depth, 1.0 + depth))
+        .span(2)
+        .with(signal_curve("flat", Meaning::Reconstructed, &reconstruct(&flat, kernel), 0.0, width).thick())
+        .with(Layer::dots("samples", Meaning::Samples, flat.points().filter(|[x, _]| (0.0..=width).contains(x))));
+    Ok(([picture, spectrum, field], ratio))
 }
 
 /// The weight of the image at `f − 1` beside that of the tone at `f`, measured in space.

@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::comb::{Comb, sample};
 use crate::error::Result;
-use crate::figure::common::{PIECES, values};
+use crate::figure::common::{PIECES, unmarked, values};
 use crate::figure::params::{Param, Params};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use crate::num::{cos_pi, sin_pi};
@@ -23,6 +23,7 @@ use std::f64::consts::PI;
 
 static RATE: Text = Text::fixed("sampling rate f_{s}", "частота дискретизации f_{s}");
 static TONE: Text = Text::fixed("frequency of the tone on the circle", "частота тона на окружности");
+static SLOW: Text = Text::fixed("how many times the chirp is slowed down", "во сколько раз замедлен ЛЧМ-сигнал");
 
 /// The figures of this family.
 pub static ENTRIES: &[Entry] = &[FOLDING];
@@ -40,7 +41,11 @@ const FOLDING: Entry = Entry {
          той же точке, и f не отличить от f_{s} − f. Поэтому измеренная частота отсчётов растёт до f_{s}/2, падает до нуля \
          и растёт снова; то же делает слишком редко дискретизованный ЛЧМ-сигнал.",
     ),
-    params: &[Param::real("rate", &RATE, 8.0, 6.0, 16.0, ""), Param::real("f", &TONE, 7.0, 0.5, 12.0, "")],
+    params: &[
+        Param::real("rate", &RATE, 8.0, 6.0, 16.0, ""),
+        Param::real("f", &TONE, 7.0, 0.5, 12.0, ""),
+        Param::real("slow", &SLOW, 2.0, 1.0, 4.0, ""),
+    ],
     build: folding,
 };
 
@@ -48,8 +53,8 @@ fn folding(params: &Params) -> Result<Figure> {
     let (rate, f) = (params.real("rate"), params.real("f"));
     let (curve, curve_claims) = triangle(rate)?;
     let (circle, apart) = circle(f, rate)?;
-    let (ridge, ridge_claim) = spectrogram(rate)?;
-    let figure = Figure::new(3).with(curve).with(circle).with(ridge);
+    let (ridge, ridge_claim) = spectrogram(rate, params.real("slow"))?;
+    let figure = Figure::new(3).heights([1.25, 1.0]).with(curve).with(circle).with(ridge);
     let figure = curve_claims.into_iter().fold(figure, |figure, (says, residual)| figure.claim(says, residual));
     let alias = Alias::of(f, rate)?;
     Ok(figure
@@ -93,7 +98,7 @@ fn triangle(rate: f64) -> Result<(Panel, Vec<Says>)> {
         (0.5 * rate * i as f64, Text::same(name))
     });
     let x = Scale::linear(text!("frequency of the tone", "частота тона"), 0.0, 3.0 * rate).ticks(ticks);
-    let y = Scale::linear(text!("seen", "видна"), 0.0, 0.58 * rate).ticks([
+    let y = Scale::linear(text!("frequency seen", "видимая частота"), 0.0, 0.58 * rate).ticks([
         (0.0, Text::same("0")),
         (0.25 * rate, Text::same("f_{s}/4")),
         (0.5 * rate, Text::same("f_{s}/2")),
@@ -136,39 +141,34 @@ fn circle(f: f64, rate: f64) -> Result<(Panel, f64)> {
     let (long, short) = (on(f / rate, 1.0), on(signed / rate, 1.0));
     let apart = (long[0] - short[0]).hypot(long[1] - short[1]);
     let whole = (0..=200).map(|i| on(f64::from(i) / 200.0, 1.0));
-    let scale = || Scale::linear(Text::EMPTY, -1.5, 1.5).bare();
-    let panel = Panel::new("circle", text!("one step between samples", "шаг между отсчётами"), scale(), scale())
-        .legend(Legend::Above)
+    let alias_name = text!("alias {}", "алиас {}", number(signed, 3));
+    let scale = || unmarked(-1.75, 1.75);
+    let panel = Panel::new("circle", text!("a step between samples", "шаг между отсчётами"), scale(), scale())
         .square()
         .with(Layer::line("circle", Meaning::Guide, whole))
         .with(Layer::line("spokes", Meaning::Guide, [[1.0, 0.0], [0.0, 0.0], long]))
-        .with(Layer::line("step", Meaning::Signal, arc(f, 1.12, 0.12)).thick().label(text!(
-            "f = {}",
-            "f = {}",
-            number(f, 3)
-        )))
-        .with(Layer::line("alias", Meaning::Leaked, arc(signed, 0.8, 0.0)).thick().label(text!(
-            "alias {}",
-            "алиас {}",
-            number(signed, 3)
-        )))
-        .with(Layer::dots("samples", Meaning::Samples, [[1.0, 0.0], long]));
+        .with(Layer::line("step", Meaning::Signal, arc(f, 1.12, 0.12)).thick())
+        .with(Layer::line("alias", Meaning::Leaked, arc(signed, 0.8, 0.0)).thick())
+        .with(Layer::dots("samples", Meaning::Samples, [[1.0, 0.0], long]))
+        .with(Layer::notes("step-name", Meaning::Signal, [([0.0, 1.48], text!("f = {}", "f = {}", number(f, 3)))]))
+        .with(Layer::notes("alias-name", Meaning::Leaked, [([0.0, -1.48], alias_name)]));
     Ok((panel, apart))
 }
 
-/// The local frequency of CH per unit of x.
-const SWEEP: f64 = 4.0;
-
-/// The spectrogram of the lecture's chirp sampled at that rate, with the folded local frequency over it.
-fn spectrogram(rate: f64) -> Result<(Panel, Says)> {
-    let chirp = from_fn(|x| LectureChirp.at(x) - 1.0); // without its mean
+/// The spectrogram of the lecture's chirp `f(x/slow)` sampled at that rate, with the folded local frequency over it.
+fn spectrogram(rate: f64, slow: f64) -> Result<(Panel, Says)> {
+    // without its mean; the local frequency of f(x) is 4x
+    let (chirp, sweep) = (from_fn(|x| LectureChirp.at(x / slow) - 1.0), 4.0 / (slow * slow));
+    let end = rate / sweep * 2.0;
     let comb = Comb::new(1.0 / rate)?;
-    let samples = sample(&chirp, comb, -(2.0 * rate) as i64..=(6.0 * rate) as i64)?;
     // the window of e^{−x²/2s²} that shows a chirp of that sweep sharpest: 2π·sweep·s² = 1
-    let s = (1.0 / (2.0 * PI * SWEEP)).sqrt();
-    let width = 2f64.sqrt() / (2.0 * PI * s);
+    let s = (1.0 / (2.0 * PI * sweep)).sqrt();
+    // the ridge is e^{−δ²/2w²} with w = √2/2πs: as wide as from −w to w
+    let width = 2.0 * 2f64.sqrt() / (2.0 * PI * s);
+    let beyond = 6.0 * s;
+    let samples = sample(&chirp, comb, -(beyond * rate) as i64..=((end + beyond) * rate) as i64)?;
     let (columns, rows) = (240, 96);
-    let (end, top) = (4.0, 0.5 * rate);
+    let top = 0.5 * rate;
     let at = |i: usize, n: usize, high: f64| high * (i as f64 + 0.5) / n as f64;
     let mut ridge = Vec::with_capacity(columns);
     let mut tones = Array2::zeros((rows, columns));
@@ -176,7 +176,7 @@ fn spectrogram(rate: f64) -> Result<(Panel, Says)> {
         let x = at(i, columns, end);
         let near: Vec<[f64; 2]> = samples
             .points()
-            .filter(|p| (p[0] - x).abs() < 6.0 * s)
+            .filter(|p| (p[0] - x).abs() < beyond)
             .map(|[at, v]| [at, v * (-0.5 * ((at - x) / s).powi(2)).exp()])
             .collect();
         let mut best = [0.0, 0.0];
@@ -191,7 +191,7 @@ fn spectrogram(rate: f64) -> Result<(Panel, Says)> {
         }
         ridge.push([x, best[0]]);
     }
-    let strays = ridge.iter().map(|[x, nu]| (nu - fold(SWEEP * x, rate)).abs());
+    let strays = ridge.iter().map(|[x, nu]| (nu - fold(sweep * x, rate)).abs());
     let worst = strays.fold(0.0, f64::max);
     let most = tones.iter().copied().fold(0.0, f64::max);
     let panel = Panel::new(
@@ -204,18 +204,19 @@ fn spectrogram(rate: f64) -> Result<(Panel, Says)> {
     .span(3)
     .with(Layer::raster("power", (0.0, end), (0.0, top), tones, (0.0, most), Tones::Data))
     .with(
-        Layer::curve("folded", Meaning::Theory, 0.0, end, PIECES, |x| fold(SWEEP * x, rate))
+        Layer::curve("folded", Meaning::Theory, 0.0, end, PIECES, |x| fold(sweep * x, rate))
             .thick()
             .dashed()
-            .label(text!("local frequency 4x, folded", "местная частота 4x, завёрнутая")),
+            .label(text!("local frequency {}x, folded", "местная частота {}x, завёрнутая", number(sweep, 3))),
     );
     let says = text!(
-        "the ridge follows the folded local frequency: back at {}, at zero, and so on, within its width {}",
-        "гребень следует завёрнутой местной частоте: поворот на {}, в нуле и так далее, в пределах своей ширины {}",
+        "the ridge follows the folded local frequency, turning at {} and at zero, within its own width {}",
+        "гребень следует завёрнутой местной частоте, поворачивая на {} и в нуле, в пределах своей ширины {}",
         number(top, 3),
         number(width, 3)
     );
     let law = "ridge of the spectrogram = folded local frequency";
-    // where the chirp turns, the ridge merges with its own mirror image, one deviation away at most
+    // where the chirp turns, the ridge interferes with its own mirror image, and the strongest place is between them or
+    // beside them; away from the turns only the rows of the raster, half a row, are between measured and true
     Ok((panel, (says, Residual::at_most(law, worst, width))))
 }

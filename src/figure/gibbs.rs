@@ -7,16 +7,14 @@ use crate::figure::common::{signal_curve, space, values};
 use crate::figure::params::{Param, Params};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel};
 use crate::kernel::ideal::Ideal;
+use crate::laws::gibbs::{HALF_PEAK, SAMPLED_DIP, SAMPLED_PEAK, low_passed_step, wilbraham_gibbs};
 use crate::num::extremum::{Extremum, maximum};
-use crate::num::sin_pi;
-use crate::num::special::{digamma, si};
 use crate::reconstruct::reconstruct;
 use crate::residual::Residual;
 use crate::sampled::Samples;
 use crate::signal::{Signal, from_fn};
 use crate::text;
 use crate::text::{Text, number};
-use std::f64::consts::PI;
 
 /// The figures of this family.
 pub static ENTRIES: &[Entry] = &[GIBBS];
@@ -44,15 +42,6 @@ const GIBBS: Entry = Entry {
 /// Samples to either side of the jump; beyond them the record is continued by its ends.
 const HALF: usize = 8;
 
-/// The sinc through `… 0, 0, 1, 1 …` with the first one at index 0, in closed form (V02): the digamma function, where the
-/// kernel sums Stirling's beta function.
-fn cardinal_step(x: f64) -> f64 {
-    if x == x.round() {
-        return f64::from(x >= 0.0);
-    }
-    -sin_pi(x) / (2.0 * PI) * (digamma(0.5 * (1.0 - x)) - digamma(-0.5 * x))
-}
-
 /// One panel: a step, what came out of it, and its highest point.
 struct Ringing<'a> {
     name: &'static str,
@@ -68,8 +57,8 @@ impl Ringing<'_> {
         let (low, high) = (-4.5 * step, 6.5 * step);
         let (jump, overshoot) = (self.jump, self.top.value - 1.0);
         let edge = [[low, 0.0], [jump, 0.0], [jump, 1.0], [high, 1.0]];
-        let note = ([self.top.at + 1.6 * step, 1.33], text!("+{} %", "+{} %", number(100.0 * overshoot, 4)));
-        let mut panel = Panel::new(self.name, self.title.clone(), space(low, high), values("f(x)", -0.35, 1.5))
+        let note = ([self.top.at + 1.2 * step, 1.27], text!("+{} %", "+{} %", number(100.0 * overshoot, 4)));
+        let mut panel = Panel::new(self.name, self.title.clone(), space(low, high), values("f(x)", -0.3, 1.4))
             .legend(Legend::Above)
             .with(Layer::horizontals("levels", Meaning::Guide, [1.0]).dashed())
             .with(Layer::line("step", Meaning::Signal, edge).label(text!("step", "ступенька")))
@@ -99,7 +88,7 @@ fn gibbs(params: &Params) -> Result<Figure> {
     let on = Samples::of(&from_fn(|x: f64| 0.5 + 0.5 * if x == 0.0 { 0.0 } else { x.signum() }), axis);
     let ringing = reconstruct(&between, Ideal).edge(Edge::Clamp);
     let tamed = reconstruct(&on, Ideal).edge(Edge::Clamp);
-    let low_passed = from_fn(move |x: f64| 0.5 + si(PI * x / step) / PI);
+    let low_passed = low_passed_step(0.5 / step);
 
     let top = |f: &dyn Signal, from: f64, to: f64| maximum(|x| f.at(x), from * step, to * step, 64);
     let views = [
@@ -129,14 +118,9 @@ fn gibbs(params: &Params) -> Result<Figure> {
         },
     ];
     let [first, second, third] = views.each_ref().map(|v| v.top);
-    // in T: the first sample inside stands at 0
-    let known = maximum(cardinal_step, 0.0, 1.0, 32);
-    let known_dip = maximum(|x| -cardinal_step(x), 1.0, 2.0, 32);
     let dip = maximum(|x| -ringing.at(x), step, 2.0 * step, 32);
-    let known_tamed = maximum(|x| 0.5 * (cardinal_step(x) + cardinal_step(x - 1.0)), 1.0, 2.0, 32);
-    // a value is a sum of 2·HALF terms and two closed tails, all below one; the digamma functions cancel to 1e-13 of
-    // their own size, which is below three
-    let rounding = 8.0 * HALF as f64 * f64::EPSILON + 3e-13;
+    // a value is a sum of 2·HALF terms and two closed tails, all below one
+    let rounding = 8.0 * HALF as f64 * f64::EPSILON;
     // ringing of period 2T: above one in the first interval after the jump, below in the second, and so on
     let alternating = (0..HALF - 2).map(|k| {
         let excess = ringing.at((k as f64 + 0.5) * step) - 1.0;
@@ -151,11 +135,11 @@ fn gibbs(params: &Params) -> Result<Figure> {
                 number(100.0 * (first.value - 1.0), 5),
                 number(first.at / step, 3)
             ),
-            Residual::near("overshoot of a sampled step", first.value, known.value, rounding),
+            Residual::near("overshoot of a sampled step", first.value, SAMPLED_PEAK.value, rounding),
         )
         .claim(
             text!("then −{} %", "затем −{} %", number(100.0 * (1.0 + dip.value), 3)),
-            Residual::near("undershoot after it", -dip.value, -known_dip.value, rounding),
+            Residual::near("undershoot after it", -dip.value, SAMPLED_DIP.value, rounding),
         )
         .claim(
             text!(
@@ -171,7 +155,7 @@ fn gibbs(params: &Params) -> Result<Figure> {
                 number(100.0 * (second.value - 1.0), 4),
                 number(second.at / step, 4)
             ),
-            Residual::near("overshoot with ½ on the jump", second.value, known_tamed.value, rounding),
+            Residual::near("overshoot with ½ on the jump", second.value, HALF_PEAK.value, rounding),
         )
         .claim(
             text!(
@@ -179,6 +163,6 @@ fn gibbs(params: &Params) -> Result<Figure> {
                 "ступенька за фильтром: +{} %, на расстоянии T: Гиббс",
                 number(100.0 * (third.value - 1.0), 4)
             ),
-            Residual::near("overshoot of the low-passed step", third.value, 0.5 + si(PI) / PI, rounding),
+            Residual::near("overshoot of the low-passed step", third.value, 0.5 + 0.5 * wilbraham_gibbs(), rounding),
         ))
 }

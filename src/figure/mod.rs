@@ -6,14 +6,24 @@
 
 pub mod adaptive;
 pub mod aliasing;
+pub mod cardinal;
 pub mod catalog;
 pub mod common;
+pub mod convolution;
 pub mod display;
 pub mod folding;
+pub mod formal;
+pub mod fourier;
 pub mod gibbs;
 pub mod jitter;
+pub mod low_pass;
+pub mod overview;
+pub mod pairs;
 pub mod params;
 pub mod problem;
+pub mod replicas;
+pub mod sampling;
+pub mod series;
 pub mod sources;
 pub mod stochastic;
 

@@ -4,13 +4,15 @@
 //! scene, sampled, and sampled again at half the rate, without and with a low-pass before every step. The reading in two
 //! dimensions, an image decimated, belongs to the image figures.
 
-use crate::axis::Axis;
+use crate::axis::{Axis, Edge};
 use crate::error::Result;
-use crate::figure::common::{PIECES, signal_curve, space, values};
+use crate::figure::common::{PIECES, signal_curve, space, unmarked};
 use crate::figure::params::Param;
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel};
+use crate::kernel::ideal::Ideal;
 use crate::num::{cos_pi, sin_pi};
 use crate::nyquist::{Alias, fold};
+use crate::reconstruct::reconstruct;
 use crate::residual::Residual;
 use crate::sampled::Samples;
 use crate::sampled::dft::{forward, inverse};
@@ -88,30 +90,35 @@ fn antialiasing(fast: f64) -> Result<Figure> {
             .collect::<Vec<_>>()
     };
     let shown = |s: &Samples| s.points().filter(|[x, _]| (0.0..=WIDTH).contains(x)).collect::<Vec<_>>();
-    let panel = |name, title| Panel::new(name, title, space(0.0, WIDTH), values("", -1.35, 1.35)).legend(Legend::Above);
+    let panel = |name, title, last: bool| {
+        let x = if last { space(0.0, WIDTH) } else { unmarked(0.0, WIDTH) };
+        Panel::new(name, title, x, unmarked(-1.3, 1.3)).legend(Legend::Above)
+    };
     let source = |name, title| {
         let curve = Layer::curve("scene", Meaning::Signal, 0.0, WIDTH, 4 * PIECES, |x| scene.at(x));
-        panel(name, title).with(curve.label(text!("the scene", "сцена")))
+        panel(name, title, false).with(curve)
     };
-    let aliased = |name, title, samples: &Samples, rate: f64| -> Result<Panel> {
+    let named = |layer: Layer, last: bool, label: Text| if last { layer } else { layer.label(label) };
+    let aliased = |name, title, samples: &Samples, rate: f64, last: bool| -> Result<Panel> {
         let (a, b, c) = seen(rate)?;
         let sum = |x: f64| a.at(x) + b.at(x) + c.at(x);
-        Ok(panel(name, title)
-            .with(
-                Layer::line("true", Meaning::Reconstructed, parts(&sum, false, rate))
-                    .label(text!("as it was", "как было")),
-            )
-            .with(Layer::line("false", Meaning::Leaked, parts(&sum, true, rate)).thick().label(text!("alias", "алиас")))
-            .with(Layer::dots("samples", Meaning::Samples, shown(samples)).label(text!("samples", "отсчёты"))))
+        let right = Layer::line("true", Meaning::Reconstructed, parts(&sum, false, rate));
+        let wrong = Layer::line("false", Meaning::Leaked, parts(&sum, true, rate)).thick();
+        let dots = Layer::dots("samples", Meaning::Samples, shown(samples));
+        Ok(panel(name, title, last)
+            .with(named(right, last, text!("as it was", "как было")))
+            .with(named(wrong, last, text!("alias", "алиас")))
+            .with(named(dots, last, text!("samples", "отсчёты"))))
     };
-    let honest = |name, title, samples: &Samples| {
-        let back = crate::reconstruct::reconstruct(samples, crate::kernel::ideal::Ideal).edge(crate::axis::Edge::Wrap);
-        panel(name, title)
-            .with(
-                signal_curve("kept", Meaning::Reconstructed, &back, 0.0, WIDTH)
-                    .label(text!("what is left", "что осталось")),
-            )
-            .with(Layer::dots("samples", Meaning::Samples, shown(samples)).label(text!("samples", "отсчёты")))
+    let honest = |name, title, samples: &Samples, last: bool| {
+        let back = reconstruct(samples, Ideal).edge(Edge::Wrap);
+        let kept = signal_curve("kept", Meaning::Reconstructed, &back, 0.0, WIDTH);
+        let dots = Layer::dots("samples", Meaning::Samples, shown(samples));
+        panel(name, title, last).with(named(kept, last, text!("what is left", "что осталось"))).with(named(
+            dots,
+            last,
+            text!("samples", "отсчёты"),
+        ))
     };
 
     let alias = packet(MIDDLES[2], fold(fast, rates[0]))?;
@@ -124,10 +131,10 @@ fn antialiasing(fast: f64) -> Result<Figure> {
     Ok(Figure::new(2)
         .with(source("scene", text!("Aliasing: the scene", "Алиасинг: сцена")))
         .with(source("scene-again", text!("Antialiasing: the scene", "Антиалиасинг: сцена")))
-        .with(aliased("sampled", text!("↓ sample", "↓ дискретизация"), &plain, rates[0])?)
-        .with(honest("filtered", text!("↓ filter, ↓ sample", "↓ фильтр, ↓ дискретизация"), &filtered))
-        .with(aliased("sampled-again", text!("↓ sample again", "↓ ещё раз"), &plain_half, rates[1])?)
-        .with(honest("filtered-again", text!("↓ filter, ↓ sample again", "↓ фильтр, ↓ ещё раз"), &filtered_half))
+        .with(aliased("sampled", text!("↓ sample", "↓ дискретизация"), &plain, rates[0], false)?)
+        .with(honest("filtered", text!("↓ filter, ↓ sample", "↓ фильтр, ↓ дискретизация"), &filtered, false))
+        .with(aliased("sampled-again", text!("↓ sample again", "↓ ещё раз"), &plain_half, rates[1], true)?)
+        .with(honest("filtered-again", text!("↓ filter, ↓ sample again", "↓ фильтр, ↓ ещё раз"), &filtered_half, true))
         .claim(
             text!(
                 "sampled once, the fast packet of frequency {} is a packet of frequency {}, in every sample",
@@ -212,7 +219,8 @@ fn cause(slow: f64, fast: f64) -> Result<Figure> {
     let alias = Alias::of(fast, axis.rate())?;
     let panel = |name, title, signal: &dyn Fn(f64) -> f64, slowest: &dyn Fn(f64) -> f64, meaning, label| {
         let dots = axis.iter().map(|x| [x, signal(x)]);
-        Panel::new(name, title, space(0.0, end), values("", -1.3, 1.3))
+        let x = if name == "sine" { space(0.0, end) } else { unmarked(0.0, end) };
+        Panel::new(name, title, x, unmarked(-1.25, 1.25))
             .legend(Legend::Above)
             .with(Layer::curve("tone", Meaning::Signal, 0.0, end, 2 * PIECES, signal).label(text!("tone", "тон")))
             .with(Layer::curve("slowest", meaning, 0.0, end, PIECES, slowest).thick().dashed().label(label))

@@ -83,7 +83,12 @@ fn posts(width: f64) -> Result<(Panel, f64)> {
     const DISTANCE: f64 = 1.37;
     const POSTS: u32 = 7;
     let post = Boxcar::new(width)?;
-    let fence = from_fn(|x: f64| (0..POSTS).map(|i| post.at(x - 0.8 - DISTANCE * f64::from(i))).sum());
+    let place = |i: u32| 0.8 + DISTANCE * f64::from(i);
+    let fence = from_fn(|x: f64| (0..POSTS).map(|i| post.at(x - place(i))).sum());
+    let corners = |i: u32| {
+        let (left, right) = (place(i) - 0.5 * width, place(i) + 0.5 * width);
+        [[left, 0.0], [left, 1.0], [right, 1.0], [right, 0.0]]
+    };
     let end = 10.0;
     let samples = Samples::of(&fence, Axis::new(0.0, 1.0, end as usize + 1)?);
     // the share of places relative to the samples at which a post is seen: of 4000 places
@@ -97,33 +102,33 @@ fn posts(width: f64) -> Result<(Panel, f64)> {
         values("f(x)", -0.1, 1.3),
     )
     .legend(Legend::Above)
-    .with(signal_curve("posts", Meaning::Signal, &fence, -0.4, end + 0.4).label(text!("posts", "столбы")))
-    .with(Layer::stems("samples", Meaning::Samples, samples.points()).label(text!("pixels", "пиксели")));
+    .with(Layer::line("posts", Meaning::Signal, (0..POSTS).flat_map(corners)).label(text!("posts", "столбы")))
+    .with(Layer::stems("samples", Meaning::Samples, samples.points()).label(text!("samples", "отсчёты")));
     Ok((panel, share))
 }
 
 /// `cos(2πd²/Y)`: a floor of stripes in perspective; `Y` rows under the horizon a row spans `d²/Y²` stripes.
 fn texture() -> Result<(Panel, f64, f64)> {
-    const ROW: f64 = 30.0;
+    const ROW: f64 = 60.0;
     let floor = from_fn(|y: f64| cos_pi(2.0 * ROW * ROW / y));
-    let (low, high) = (20.0, 56.0);
-    let samples = Samples::of(&floor, Axis::new(low, 1.0, 37)?);
-    let nyquist = ROW * 2f64.sqrt();
+    // at whole rows `Y` adds whole turns: the same samples, and slow where a row spans one stripe
+    let seen = from_fn(|y: f64| cos_pi(2.0 * (ROW * ROW / y + y)));
+    let (low, high) = (48.0, 76.0);
+    let samples = Samples::of(&floor, Axis::new(low, 1.0, 29)?);
     let panel = Panel::new(
         "texture",
         text!("textures: false wide stripes", "текстуры: ложные полосы"),
-        Scale::linear(text!("rows under the horizon", "строк ниже горизонта"), low, high),
+        Scale::linear(text!("rows under the horizon", "строк ниже горизонта"), low - 0.5, high + 0.5),
         values("f", -1.25, 1.25),
     )
     .legend(Legend::Above)
-    .with(signal_curve("floor", Meaning::Signal, &floor, low, high).thin().label(text!("stripes", "полосы")))
-    .with(Layer::line("seen", Meaning::Leaked, samples.points()).thick().label(text!("seen", "видно")))
     .with(
-        Layer::verticals("nyquist", Meaning::Guide, [nyquist])
-            .dashed()
-            .label(text!("½ stripe a row", "½ полосы на строку")),
+        Layer::curve("floor", Meaning::Signal, low, high, 1600, |y| floor.at(y))
+            .thin()
+            .label(text!("stripes", "полосы")),
     )
-    .with(Layer::dots("samples", Meaning::Samples, samples.points()));
+    .with(signal_curve("seen", Meaning::Leaked, &seen, low, high).thick().label(text!("what is seen", "что видно")))
+    .with(Layer::dots("samples", Meaning::Samples, samples.points()).label(text!("samples", "отсчёты")));
     let beside = floor.at(ROW - 1.0).min(floor.at(ROW + 1.0));
     Ok((panel, ROW, beside))
 }
@@ -153,8 +158,14 @@ fn highlight(shininess: usize) -> Result<(Panel, [f64; 2], f64)> {
         Scale::linear(text!("brightness", "яркость"), 0.0, 1.3),
     )
     .legend(Legend::Above)
-    .with(Layer::curve("points", Meaning::Leaked, low, high, 400, point).thick().label(text!("points", "точки")))
-    .with(Layer::line("areas", Meaning::Reconstructed, areas.iter().copied()).thick().label(text!("areas", "площади")));
+    .with(
+        Layer::curve("points", Meaning::Leaked, low, high, 400, point)
+            .thick()
+            .label(text!("a point a pixel", "точка на пиксель")),
+    )
+    .with(
+        Layer::line("areas", Meaning::Reconstructed, areas.iter().copied()).thick().label(text!("its area", "площадь")),
+    );
     let spread = areas.iter().map(|p| (p[1] - areas[0][1]).abs()).fold(0.0, f64::max);
     Ok((panel, [point(0.5), point(0.0)], spread))
 }
@@ -198,7 +209,7 @@ fn sources(params: &Params) -> Result<Figure> {
                  ({} и 1)",
                 number(beside, 3)
             ),
-            // a row above d²/(d − 1) = d + 1 + 1/(d − 1) stripes: 1/29 of one beyond a whole number
+            // a row above d²/(d − 1) = d + 1 + 1/(d − 1) stripes: 1/(d − 1) of one beyond a whole number
             Residual::at_least("neighbours' values where a row spans one stripe", beside, cos_pi(2.0 / (row - 1.0)) - 1e-13),
         )
         .claim(

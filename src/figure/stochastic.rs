@@ -9,6 +9,7 @@ use crate::error::Result;
 use crate::figure::common::{frequency, signal_curve, space, values};
 use crate::figure::params::{Param, Params};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
+use crate::laws::jitter::jitter_spectrum;
 use crate::nyquist::Alias;
 use crate::residual::Residual;
 use crate::sampled::Samples;
@@ -114,7 +115,7 @@ fn uniform(cycles: usize) -> Result<Figure> {
     let top = COUNT as f64;
     let power_panel = Panel::new(
         "power",
-        text!("its power", "его мощность"),
+        text!("its power spectrum", "его спектр мощности"),
         frequency(-2.3, 2.3),
         Scale::linear(text!("power", "мощность"), 0.0, 1.2 * top),
     )
@@ -141,18 +142,17 @@ fn uniform(cycles: usize) -> Result<Figure> {
         Layer::arrows(name, meaning, kept.map(|l| [l.at, l.weight.re]))
     };
     let own = cycles as f64 / top;
-    let spectrum_panel =
-        Panel::new("spectrum", text!("their spectrum", "их спектр"), frequency(-2.3, 2.3), values("F(ν)", 0.0, 0.65))
-            .legend(Legend::Above)
-            .with(Layer::verticals("nyquist", Meaning::Guide, [-0.5, 0.5]).dashed())
-            .with(
-                arrows("copies", Meaning::Replica, &|nu| nu > 0.5 && (nu - own).abs() > 1e-9)
-                    .label(text!("copies", "копии")),
-            )
-            .with(
-                arrows("own", Meaning::Signal, &|nu| (nu - own).abs() < 1e-9).thick().label(text!("tone", "синусоида")),
-            )
-            .with(arrows("leaked", Meaning::Leaked, &|nu| nu < 0.5).thick().label(text!("alias", "алиас")));
+    let spectrum_panel = Panel::new(
+        "spectrum",
+        text!("the samples' spectrum", "спектр отсчётов"),
+        frequency(-2.3, 2.3),
+        values("F(ν)", 0.0, 0.65),
+    )
+    .legend(Legend::Above)
+    .with(Layer::verticals("nyquist", Meaning::Guide, [-0.5, 0.5]).dashed())
+    .with(arrows("copies", Meaning::Replica, &|nu| nu > 0.5 && (nu - own).abs() > 1e-9).label(text!("copies", "копии")))
+    .with(arrows("own", Meaning::Signal, &|nu| (nu - own).abs() < 1e-9).thick().label(text!("tone", "синусоида")))
+    .with(arrows("leaked", Meaning::Leaked, &|nu| nu < 0.5).thick().label(text!("alias", "алиас")));
 
     // every wave is computed as a power, up to the exponent m = 2n, to 4mε; |S|² ≤ n², hence 2·|δS| in |S|²/n
     let rounding = 8.0 * f64::EPSILON * (COUNT * COUNT * ORDER) as f64;
@@ -231,22 +231,23 @@ fn random(params: &Params) -> Result<Figure> {
 
     let power = Scale::linear(text!("power", "мощность"), 0.0, 1.2 * count);
     let label_mean = || text!("mean of {PATTERNS}", "среднее по {PATTERNS}");
-    let power_panel = Panel::new("power", text!("their power", "их мощность"), frequency(-2.3, 2.3), power)
-        .legend(Legend::Above)
-        .with(
-            Layer::stems("pattern", Meaning::Samples, both_sides(&plain(0), n))
-                .thin()
-                .label(text!("this pattern", "этот набор")),
-        )
-        .with(
-            Layer::line("mean", Meaning::Theory, both_sides(&only(&mean), n).into_iter().filter(|p| p[0] > 0.0))
-                .label(label_mean()),
-        )
-        .with(Layer::line(
-            "mean-left",
-            Meaning::Theory,
-            both_sides(&only(&mean), n).into_iter().filter(|p| p[0] < 0.0),
-        ));
+    let power_panel =
+        Panel::new("power", text!("their power spectrum", "их спектр мощности"), frequency(-2.3, 2.3), power)
+            .legend(Legend::Above)
+            .with(
+                Layer::stems("pattern", Meaning::Samples, both_sides(&plain(0), n))
+                    .thin()
+                    .label(text!("this pattern", "этот набор")),
+            )
+            .with(
+                Layer::line("mean", Meaning::Theory, both_sides(&only(&mean), n).into_iter().filter(|p| p[0] > 0.0))
+                    .label(label_mean()),
+            )
+            .with(Layer::line(
+                "mean-left",
+                Meaning::Theory,
+                both_sides(&only(&mean), n).into_iter().filter(|p| p[0] < 0.0),
+            ));
 
     let statistics = Panel::new(
         "statistics",
@@ -265,26 +266,26 @@ fn random(params: &Params) -> Result<Figure> {
 
     let expected = |m: usize| if m == harmonic { (count + 1.0) / 4.0 } else { 0.5 };
     let signed = both_sides(&only(&of_tone), n);
-    let at_tone = |p: &&[f64; 2]| (p[0].abs() * count - harmonic as f64).abs() < 0.5;
+    let at_tone = |p: &[f64; 2]| (p[0].abs() * count - harmonic as f64).abs() < 0.5;
+    let alias = n - harmonic;
+    let at_alias = alias as f64 / count;
+    let shown = || signed.iter().copied().filter(|p| p[0].abs() < 1.52);
     let tone_panel = Panel::new(
         "tone",
         text!("a tone sampled so", "синусоида в этих точках"),
-        frequency(-1.5, 1.5),
+        frequency(-1.6, 1.6),
         Scale::linear(text!("power", "мощность"), 0.0, 0.32 * (count + 1.0)),
     )
     .legend(Legend::Above)
     .with(
-        Layer::stems("noise", Meaning::Leaked, signed.iter().filter(|p| !at_tone(p)).copied())
-            .label(text!("noise", "шум")),
+        Layer::verticals("alias", Meaning::Leaked, [-at_alias, at_alias])
+            .dashed()
+            .label(text!("the alias, gone", "алиас исчез")),
     )
-    .with(
-        Layer::stems("tone", Meaning::Signal, signed.iter().filter(at_tone).copied())
-            .label(text!("the tone", "синусоида")),
-    )
-    .with(Layer::horizontals("floor", Meaning::Theory, [0.5]).dashed().label(text!("theory: ½", "теория: ½")));
+    .with(Layer::stems("noise", Meaning::Samples, shown().filter(|p| !at_tone(p))).label(text!("noise", "шум")))
+    .with(Layer::stems("tone", Meaning::Signal, shown().filter(at_tone)).label(text!("tone", "синусоида")))
+    .with(Layer::horizontals("floor", Meaning::Theory, [0.5]).dashed());
 
-    let alias = n - harmonic;
-    let others = || mean[1..].iter().map(|&m| (m, 1.0));
     let average = mean[1..].iter().map(|m| m.value).sum::<f64>() / (mean.len() - 1) as f64;
     let deviation = (1.0 - 1.0 / count).sqrt();
     // the variance of an estimated deviation of exponential numbers is (9 − 1)/(4M) of the variance
@@ -304,7 +305,7 @@ fn random(params: &Params) -> Result<Figure> {
                 "на остальных частотах средняя мощность {}: белый шум",
                 number(average, 2)
             ),
-            Residual::at_most("mean power is 1, in standard errors", worst_deviation(others()), DEVIATIONS),
+            jitter_spectrum(&comb, &comb, seed, n, PATTERNS, ORDER),
         )
         .claim(
             text!(

@@ -23,8 +23,9 @@ pub(super) struct Placed<'a> {
     pub legend: Option<Listed<'a>>,
     /// Whether the legend stands above the plot.
     above: bool,
-    /// What stands around the plot.
-    pub margins: Margins,
+    /// How far the title stands above the plot to be level with the others of its row.
+    pub raised: f64,
+    margins: Margins,
     pub cell: Frame,
     row: usize,
     columns: (usize, usize),
@@ -55,11 +56,11 @@ impl Fitted {
 
 /// What stands around a plot, in units of the picture.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Margins {
-    pub left: f64,
-    pub right: f64,
-    pub top: f64,
-    pub bottom: f64,
+struct Margins {
+    left: f64,
+    right: f64,
+    top: f64,
+    bottom: f64,
 }
 
 impl Margins {
@@ -83,20 +84,30 @@ pub(super) fn tick(sizes: &Sizes) -> f64 {
 pub(super) fn placed<'a>(figure: &'a Figure, page: Frame, sizes: &Sizes, lang: Lang) -> Vec<Placed<'a>> {
     let mut panels = grid(figure, page, sizes);
     settle(&mut panels, sizes, lang);
-    // A legend that would hide data in every corner moves above its plot, if the plot can spare the room.
-    let mut moved = false;
-    for p in &mut panels {
-        let hides =
-            |p: &Placed<'_>| legend::boxed(p.panel, sizes, lang, p.plot, (&p.x, &p.y)).is_some_and(|(_, hides)| hides);
-        if !p.above && p.plot.height() > 6.0 * sizes.body && hides(p) {
-            (p.above, moved) = (true, true);
-        }
+    // A legend that would hide data in every corner moves above its plot, if the plot can spare the room or its row
+    // gives that room up anyway.
+    let hiding: Vec<bool> = panels
+        .iter()
+        .map(|p| legend::boxed(p.panel, sizes, lang, p.plot, (&p.x, &p.y)).is_some_and(|(_, hides)| hides && !p.above))
+        .collect();
+    let moved = hiding.contains(&true);
+    for (p, _) in panels.iter_mut().zip(&hiding).filter(|(p, hides)| **hides && p.plot.height() > 6.0 * sizes.body) {
+        p.above = true;
+    }
+    let raised: Vec<usize> = panels.iter().filter(|p| p.above).map(|p| p.row).collect();
+    for (p, _) in panels.iter_mut().zip(&hiding).filter(|(p, hides)| **hides && raised.contains(&p.row)) {
+        p.above = true;
     }
     if moved {
         settle(&mut panels, sizes, lang);
     }
     for p in panels.iter_mut().filter(|p| !p.above) {
         p.legend = legend::boxed(p.panel, sizes, lang, p.plot, (&p.x, &p.y)).map(|(listed, _)| listed);
+    }
+    let rows: Vec<(usize, f64, f64)> = panels.iter().map(|p| (p.row, p.plot.top, p.rows())).collect();
+    for p in &mut panels {
+        let level = rows.iter().filter(|(row, top, _)| *row == p.row && *top == p.plot.top);
+        p.raised = level.map(|(_, _, height)| *height).fold(0.0, f64::max);
     }
     panels
 }
@@ -172,6 +183,7 @@ fn grid<'a>(figure: &'a Figure, page: Frame, sizes: &Sizes) -> Vec<Placed<'a>> {
             y_label: Fitted::default(),
             legend: None,
             above: panel.legend == Legend::Above,
+            raised: 0.0,
             margins: Margins::default(),
             cell,
             row,
@@ -200,7 +212,7 @@ impl Placed<'_> {
     }
 
     /// The height of the legend above the plot.
-    pub(super) fn rows(&self) -> f64 {
+    fn rows(&self) -> f64 {
         let rows = self.legend.as_ref().filter(|l| l.frame.is_none());
         rows.map_or(0.0, |l| l.height())
     }

@@ -22,6 +22,8 @@ use std::rc::Rc;
 pub(super) struct Entry<'a> {
     pub label: String,
     pub layers: Vec<&'a Layer>,
+    /// How long its sample is, in ems.
+    sample: f64,
     /// The middle of the left edge, in units of the picture.
     pub left: f64,
     pub middle: f64,
@@ -40,24 +42,39 @@ fn entries(panel: &Panel, lang: Lang) -> Vec<Entry<'_>> {
     let mut entries: Vec<Entry<'_>> = Vec::new();
     for layer in panel.layers.iter().filter(|l| !l.label.get(lang).is_empty()) {
         let label = layer.label.get(lang);
+        let sample = sample(layer);
         match entries.iter_mut().find(|e| e.label == label) {
-            Some(entry) => entry.layers.push(layer),
-            None => entries.push(Entry { label: label.to_owned(), layers: vec![layer], left: 0.0, middle: 0.0 }),
+            Some(entry) => {
+                entry.layers.push(layer);
+                entry.sample = entry.sample.max(sample);
+            }
+            None => {
+                let (label, layers) = (label.to_owned(), vec![layer]);
+                entries.push(Entry { label, layers, sample, left: 0.0, middle: 0.0 });
+            }
         }
     }
     entries
 }
 
-/// How long the sample of a layer is, in ems, and how far the label stands from it.
-pub(super) const SAMPLE: f64 = 1.7;
-const GAP: f64 = 0.5;
+/// How long the sample of a layer is, in ems: lines need length, upright things do not.
+fn sample(layer: &Layer) -> f64 {
+    match layer.mark {
+        Mark::Dots(_) | Mark::Stems(_) | Mark::Arrows(_) | Mark::Verticals(_) => 0.75,
+        Mark::Area(_) | Mark::Bars { .. } | Mark::Spans(_) => 1.3,
+        _ => 1.7,
+    }
+}
+
+/// Between a sample and its label, in ems.
+const GAP: f64 = 0.45;
 /// Between entries in a row, in ems.
 const BETWEEN: f64 = 1.3;
 /// From line to line, in ems.
 const LINE: f64 = 1.35;
 
 fn width(entry: &Entry<'_>, size: f64) -> f64 {
-    typeset::width(&entry.label, Face::Regular, size) + (SAMPLE + GAP) * size
+    typeset::width(&entry.label, Face::Regular, size) + (entry.sample + GAP) * size
 }
 
 fn lines(entry: &Entry<'_>) -> f64 {
@@ -73,7 +90,7 @@ pub(super) fn rows<'a>(panel: &'a Panel, sizes: &Sizes, lang: Lang, room: f64) -
     }
     let size = sizes.body;
     for entry in &mut entries {
-        (entry.label, _) = typeset::fit(&entry.label, Face::Regular, size, size, room - (SAMPLE + GAP) * size);
+        (entry.label, _) = typeset::fit(&entry.label, Face::Regular, size, size, room - (entry.sample + GAP) * size);
     }
     let count = flowed(&mut entries, size, room);
     let (mut narrow, mut wide) = (0.0, room);
@@ -114,6 +131,9 @@ pub(super) fn boxed<'a>(
     if entries.is_empty() {
         return None;
     }
+    // One below the other, labels start at one place.
+    let longest = entries.iter().map(|e| e.sample).fold(0.0, f64::max);
+    entries.iter_mut().for_each(|e| e.sample = longest);
     let room = 0.62 * plot.width();
     let widest = |size: f64, entries: &[Entry<'_>]| entries.iter().map(|e| width(e, size)).fold(0.0, f64::max);
     let tall = |size: f64, entries: &[Entry<'_>]| size * (entries.len() as f64 * LINE + 0.4);
@@ -122,7 +142,7 @@ pub(super) fn boxed<'a>(
         size = sizes.least.max(0.85 * size);
     }
     for entry in &mut entries {
-        (entry.label, _) = typeset::fit(&entry.label, Face::Regular, size, size, room - (SAMPLE + GAP) * size);
+        (entry.label, _) = typeset::fit(&entry.label, Face::Regular, size, size, room - (entry.sample + GAP) * size);
     }
     let (pad, margin) = (0.4 * size, 0.5 * size);
     let box_width = widest(size, &entries) + 2.0 * pad;
@@ -213,21 +233,21 @@ impl Sheet<'_> {
         for entry in &listed.entries {
             let (x, y) = (origin.0 + entry.left, origin.1 + entry.middle);
             for layer in &entry.layers {
-                self.sample(layer, (x, y), size)?;
+                self.sample(layer, (x, y), (size, entry.sample))?;
             }
             let style = self.style(size, FontStyle::Normal, self.theme.text());
             let style = style.pos(Pos::new(HPos::Left, VPos::Center));
-            let left = x + (SAMPLE + GAP) * size;
+            let left = x + (entry.sample + GAP) * size;
             self.canvas.set(With::default());
             self.root.draw_text(&entry.label, &style, (fine(left), fine(y)))?;
         }
         Ok(())
     }
 
-    /// A small sample of a layer, its left end's middle at a place.
-    fn sample(&self, layer: &Layer, (x, y): (f64, f64), size: f64) -> Result<(), Failure> {
+    /// A small sample of a layer, `long` ems long, its left end's middle at a place.
+    fn sample(&self, layer: &Layer, (x, y): (f64, f64), (size, long): (f64, f64)) -> Result<(), Failure> {
         let look = Look::of(layer, self.theme, self.sizes);
-        let at = |along: f64, down: f64| (fine(x + along * SAMPLE * size), fine(y + down * size));
+        let at = |along: f64, down: f64| (fine(x + along * long * size), fine(y + down * size));
         let path = |points: Vec<(i32, i32)>| PathElement::new(points, look.line());
         let area = |opacity: f64| Rectangle::new([at(0.05, -0.36), at(0.95, 0.36)], filled(look.rgb, opacity));
         self.canvas.set(With { dash: look.dash.clone(), ..With::default() });
@@ -244,12 +264,12 @@ impl Sheet<'_> {
             Ok(())
         };
         let head = |tip: (f64, f64), up: bool| {
-            let (long, half) = (0.34, 0.15);
-            let wide = half / SAMPLE;
+            let (deep, half) = (0.38, 0.17);
+            let wide = half / long;
             if up {
-                vec![at(tip.0, tip.1), at(tip.0 - wide, tip.1 + long), at(tip.0 + wide, tip.1 + long)]
+                vec![at(tip.0, tip.1), at(tip.0 - wide, tip.1 + deep), at(tip.0 + wide, tip.1 + deep)]
             } else {
-                let back = tip.0 - long / SAMPLE;
+                let back = tip.0 - deep / long;
                 vec![at(tip.0, tip.1), at(back, tip.1 - half), at(back, tip.1 + half)]
             }
         };

@@ -154,6 +154,8 @@ pub struct Label {
     pub text: String,
     /// The least rectangle around its ink, `[left, top, right, bottom]` in units.
     pub ink: [f64; 4],
+    /// How large its letters are, in units.
+    pub size: f64,
     /// Whether it is a note among the data; all others stand in the margins or in legends.
     pub note: bool,
     /// Whether one of its letters is in none of the fonts.
@@ -194,6 +196,7 @@ impl Words {
         }
         let incomplete = self.line.glyphs.iter().any(|g| g.id == 0);
         let seen = ink[0] <= ink[2];
-        seen.then(|| Label { text: self.line.text.clone(), ink, note: self.halo.is_some(), incomplete })
+        let (text, size) = (self.line.text.clone(), f64::from(self.size) / FINE);
+        seen.then(|| Label { text, ink, size, note: self.halo.is_some(), incomplete })
     }
 }

@@ -9,6 +9,7 @@ pub mod lecture;
 pub mod raised_cosine;
 pub mod series;
 pub mod sinc;
+pub mod spline;
 pub mod tent;
 pub mod theorem;
 pub mod tone;

@@ -1,36 +1,55 @@
 //! What is written in a picture can be read: whole, apart, large enough, in both languages.
 
-#![cfg(feature = "plot")]
-
-mod plot_samples;
-
+use crate::samples::all;
 use nyquist::figure::{Figure, Layer, Meaning, Panel, Scale};
 use nyquist::plot::{Label, Style, Theme, draw};
 use nyquist::text::{Lang, Text};
-use plot_samples::all;
 
 fn labels(title: &Text, figure: &Figure, style: &Style) -> Vec<Label> {
     draw(title, &Text::EMPTY, figure, style).labels()
 }
 
-#[test]
-fn labels_lie_within_the_picture_and_do_not_collide() {
-    for (name, title, figure) in all() {
-        for size in [(1600, 900), (1200, 900), (800, 450)] {
-            for lang in Lang::ALL {
-                let labels = labels(&title, &figure, &Style { lang, size, ..Style::default() });
-                for (i, a) in labels.iter().enumerate() {
-                    let [left, top, right, bottom] = a.ink;
-                    let inside =
-                        left >= 8.0 && top >= 8.0 && right <= size.0 as f64 - 8.0 && bottom <= size.1 as f64 - 8.0;
-                    assert!(inside, "{name} {lang:?} {size:?}: \"{}\" at {:?}", a.text, a.ink);
-                    let others = labels[..i].iter().filter(|b| !a.note && !b.note);
-                    for b in others {
-                        assert!(!a.overlaps(b), "{name} {lang:?} {size:?}: \"{}\" and \"{}\"", a.text, b.text);
-                    }
+/// What is wrong with the labels of a figure in any language and size of picture.
+fn faults(name: &str, title: &Text, figure: &Figure) -> Vec<String> {
+    let mut faults = Vec::new();
+    for size in [(1600, 900), (1200, 900), (800, 450)] {
+        for lang in Lang::ALL {
+            let labels = labels(title, figure, &Style { lang, size, ..Style::default() });
+            let (width, height) = (f64::from(size.0), f64::from(size.1));
+            let least = 18.0 * (width / 1600.0 * height / 900.0).sqrt() - 0.01;
+            for (i, a) in labels.iter().enumerate() {
+                let mut fault = |what: &str| faults.push(format!("{name} {lang:?} {size:?}: \"{}\" {what}", a.text));
+                let [left, top, right, bottom] = a.ink;
+                if left < 8.0 || top < 8.0 || right > width - 8.0 || bottom > height - 8.0 {
+                    fault("leaves the picture");
+                }
+                if a.size < least {
+                    fault("is too small to be read from the last row");
+                }
+                if a.incomplete {
+                    fault("has a letter that no font has");
+                }
+                for b in labels[..i].iter().filter(|b| a.note == b.note && a.overlaps(b)) {
+                    fault(&format!("overlaps \"{}\"", b.text));
                 }
             }
         }
+    }
+    faults
+}
+
+#[test]
+fn labels_lie_within_the_picture_and_do_not_collide() {
+    for (name, title, figure) in all() {
+        assert_eq!(faults(name, &title, &figure), [""; 0]);
+    }
+}
+
+#[test]
+fn labels_of_the_lecture_lie_within_the_picture_and_do_not_collide() {
+    for entry in nyquist::figure::catalog::all() {
+        let figure = entry.figure().expect("every figure can be computed with its defaults");
+        assert_eq!(faults(entry.id, entry.title, &figure), [""; 0]);
     }
 }
 
@@ -77,6 +96,7 @@ fn a_label_drawn_wider_than_measured_would_be_found() {
     let label = |left: f64, right: f64| Label {
         text: String::new(),
         ink: [left, 0.0, right, 10.0],
+        size: 24.0,
         note: false,
         incomplete: false,
     };

@@ -1,14 +1,10 @@
 //! One scene, three formats: deterministic, well formed, cut at the frame, pixel-exact.
 
-#![cfg(feature = "plot")]
-
-mod plot_samples;
-
+use crate::samples::{Pixels, all, bare};
 use ndarray::Array2;
 use nyquist::figure::{Figure, Layer, Meaning, Panel, Scale, Tones};
 use nyquist::plot::{Format, Style, Theme, draw};
 use nyquist::text::{Lang, Text};
-use plot_samples::{Pixels, all, bare};
 use std::sync::OnceLock;
 
 fn styles() -> Vec<Style> {

@@ -1,7 +1,5 @@
 //! Every meaning can be seen, and told from those it stands beside, with any colour vision.
 
-#![cfg(feature = "plot")]
-
 use nyquist::figure::Meaning;
 use nyquist::plot::{Rgb, Theme};
 
