@@ -45,6 +45,9 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
+//! Two dimensions repeat it: a [`Field`](field::Field) is a signal of the plane, an [`Image`](image::Image) its samples,
+//! [`ImageBins`](image::ImageBins) their transform, and sampling lattices take the place of the comb.
+//!
 //! # Conventions
 //!
 //! | matter | decision |
@@ -57,6 +60,7 @@
 //! | order of bins | rising frequency, zero at index `n/2` (integer division) |
 //! | at a jump | the mean of both sides (the box is ½ at its edge) |
 //! | Nyquist | Nyquist frequency = rate/2, Nyquist rate = 2B; a rate must be *greater* than 2B where the spectrum has a line at B |
+//! | images | linear light, rows one after another, positions as (x, y); sRGB is converted at the [door] |
 //! | edges | [`Edge`](axis::Edge): zero, clamp, wrap, mirror |
 //! | deltas | weights, never tall samples: a spectrum's lines are (position, weight) |
 //! | randomness | a pure function of (seed, index, dimension) |
