@@ -143,8 +143,8 @@ fn adaptive(params: &Params) -> Result<Figure> {
         .with(failure)
         .claim(
             text!(
-                "each edge costs {} samples more: log₂(T/δ); uniformly all must stand {factor} times as dense",
-                "каждая граница стоит ещё {} отсчётов: log₂(T/δ); равномерные пришлось бы взять в {factor} раз чаще",
+                "further samples per edge: {} = log₂(T/δ); uniform ones would have to stand {factor} times as dense",
+                "новых отсчётов на границу: {} = log₂(T/δ); плотность равномерных пришлось бы умножить на {factor}",
                 number(per_edge, 3)
             ),
             Residual::near("further samples per edge = log₂(T/δ)", per_edge, (step / finest).log2(), 1e-12),
@@ -160,7 +160,7 @@ fn adaptive(params: &Params) -> Result<Figure> {
         .claim(
             text!(
                 "the spike of height 1 is missed by all {n} samples, and none is added",
-                "пик высоты 1 пропущен всеми {n} отсчётами, и ни один не добавлен"
+                "пик высоты 1 не попал ни на один отсчёт (всего их {n}), и ни один не добавлен"
             ),
             Residual::at_most("further samples, and the largest value found", blind.extra() as f64 + heights, 0.0),
         ))

@@ -1,9 +1,11 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
+use crate::figure::further::{bandpass, chirp, cubics, filters, generalised, irregular, truncation};
 use crate::figure::{
-    Entry, adaptive, aliasing, cardinal, convolution, display, folding, formal, fourier, gibbs, jitter, low_pass,
-    overview, pairs, problem, replicas, sampling, series, sources, stochastic,
+    Entry, adaptive, aliasing, cardinal, choice, convolution, display, film, folding, formal, fourier, gibbs, jitter,
+    low_pass, overview, pairs, prefilter, problem, remedies, replicas, sampling, series, sources, stochastic,
+    supersample, theorem,
 };
 
 /// The families, each with its entries.
@@ -27,6 +29,19 @@ static FAMILIES: &[&[Entry]] = &[
     sources::ENTRIES,
     cardinal::ENTRIES,
     overview::ENTRIES,
+    theorem::ENTRIES,
+    remedies::ENTRIES,
+    film::ENTRIES,
+    choice::ENTRIES,
+    prefilter::ENTRIES,
+    supersample::ENTRIES,
+    chirp::ENTRIES,
+    filters::ENTRIES,
+    truncation::ENTRIES,
+    cubics::ENTRIES,
+    generalised::ENTRIES,
+    bandpass::ENTRIES,
+    irregular::ENTRIES,
 ];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.

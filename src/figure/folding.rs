@@ -36,10 +36,12 @@ const FOLDING: Entry = Entry {
     caption: &Text::fixed(
         "Between two samples a tone turns by 2πf/f_{s}; a turn by the rest of the circle, the other way round, ends at the \
          same point, so f and f_{s} − f cannot be told apart. Measured frequencies of sampled tones therefore run up to \
-         f_{s}/2, down to zero and up again, and so does a chirp that is sampled too slowly.",
+         f_{s}/2, down to zero and up again, and so does a chirp sampled too slowly (the lecture's \
+         1 + cos 4πx², slowed down to let its ridge be narrow).",
         "Между двумя отсчётами тон поворачивается на 2πf/f_{s}; поворот на остаток круга в обратную сторону кончается в \
          той же точке, и f не отличить от f_{s} − f. Поэтому измеренная частота отсчётов растёт до f_{s}/2, падает до нуля \
-         и растёт снова; то же делает слишком редко дискретизованный ЛЧМ-сигнал.",
+         и растёт снова; то же делает ЛЧМ-сигнал при слишком редкой дискретизации (1 + cos 4πx² из \
+         лекции, замедленный ради узкого гребня).",
     ),
     params: &[
         Param::real("rate", &RATE, 8.0, 6.0, 16.0, ""),

@@ -122,11 +122,14 @@ fn jitter(params: &Params) -> Result<Figure> {
             jitter_spectrum(&comb, &comb, seed, COUNT, PATTERNS, ORDER),
         )
         .claim(
-            text!(
-                "of the line at the rate sinc²(a) = {} is left",
-                "от линии на частоте дискретизации осталось sinc²(a) = {}",
-                number(line, 4)
-            ),
+            match line {
+                0.0 => text!("the line at the rate is gone", "линия на частоте дискретизации исчезла"),
+                _ => text!(
+                    "of the line at the rate sinc²(a) = {} is left",
+                    "от линии на частоте дискретизации осталось sinc²(a) = {}",
+                    number(line, 4)
+                ),
+            },
             Residual::near("weight of the line at the rate = sinc²(a)", weight(1), line, allowed),
         ))
 }
@@ -134,7 +137,7 @@ fn jitter(params: &Params) -> Result<Figure> {
 const TONE: Entry = Entry {
     id: "f39-tone",
     inventory: &["F39"],
-    errata: &["E11", "E33"],
+    errata: &["E11"],
     title: &Text::fixed("A tone above Nyquist, sampled three ways", "Синусоида выше Найквиста: три способа"),
     caption: &Text::fixed(
         "Regular samples fold the tone into a false one. Jittered samples, left at their places, keep the tone and turn \

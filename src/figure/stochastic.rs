@@ -92,7 +92,7 @@ fn impulses(name: &'static str, title: Text, positions: &[f64]) -> Panel {
 const UNIFORM: Entry = Entry {
     id: "f37-uniform",
     inventory: &["F37"],
-    errata: &["E10"],
+    errata: &["E10", "E33"],
     title: &Text::fixed("Regular samples: coherent artefacts", "Регулярные отсчёты: когерентные артефакты"),
     caption: &Text::fixed(
         "The spectrum of a regular comb is a comb. Sampling puts a copy of the signal's spectrum on every spike, so a \
@@ -162,6 +162,8 @@ fn uniform(cycles: usize) -> Result<Figure> {
     // the argument 2πνx of the last sample is rounded to ε of itself, in either tone
     let argument = 4.0 * f64::EPSILON * std::f64::consts::PI * top;
     let weight = forward(&samples).near(alias.frequency()).norm() / top;
+    // twice the same samples: four times the power of one tone
+    let together = samples.points().map(|[x, v]| (v + false_tone.at(x)).powi(2)).sum::<f64>() / top;
     Ok(Figure::new(2)
         .with(impulses("comb", text!("regular places", "регулярные позиции"), &positions))
         .with(power_panel)
@@ -190,13 +192,21 @@ fn uniform(cycles: usize) -> Result<Figure> {
                 number(weight, 3)
             ),
             Residual::near("weight of the alias", weight, 0.5, argument),
+        )
+        .claim(
+            text!(
+                "tone and alias sampled together have the power {}, not ½ + ½: coherent powers do not add up",
+                "мощность отсчётов синусоиды вместе с алиасом равна {}, а не ½ + ½: когерентные мощности не складываются",
+                number(together, 3)
+            ),
+            Residual::near("power of a tone with its alias", together, 2.0, 8.0 * argument),
         ))
 }
 
 const RANDOM: Entry = Entry {
     id: "f38-random",
     inventory: &["F38"],
-    errata: &["E11", "E12", "E33"],
+    errata: &["E11", "E12"],
     title: &Text::fixed("Independent random samples: white noise", "Независимые случайные отсчёты: белый шум"),
     caption: &Text::fixed(
         "Points that know nothing of each other have a spike at zero and, on average, the same power at all other \
@@ -301,9 +311,8 @@ fn random(params: &Params) -> Result<Figure> {
         )
         .claim(
             text!(
-                "elsewhere the mean power is {}: white noise",
-                "на остальных частотах средняя мощность {}: белый шум",
-                number(average, 2)
+                "elsewhere the mean power is {average:.2}: white noise",
+                "на остальных частотах средняя мощность {average:.2}: белый шум"
             ),
             jitter_spectrum(&comb, &comb, seed, n, PATTERNS, ORDER),
         )

@@ -4,6 +4,7 @@ pub mod erf;
 pub mod extremum;
 pub mod faddeeva;
 pub mod fresnel;
+pub mod isoline;
 pub mod quadrature;
 pub mod random;
 mod sinc;
