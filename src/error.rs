@@ -126,6 +126,22 @@ pub enum Error {
         /// The largest that was allowed.
         most: f64,
     },
+    /// A file that is not what it should be: truncated, lying about its size, or of a kind that is not read.
+    #[error("{file}: {reason}")]
+    Format {
+        /// The file, as it was named.
+        file: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A file that cannot be read or written.
+    #[error("{file}: {reason}")]
+    Io {
+        /// The file, as it was named.
+        file: String,
+        /// What the system says.
+        reason: String,
+    },
     /// A combination that has no meaning.
     #[error("{0}")]
     Unsupported(&'static str),

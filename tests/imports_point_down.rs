@@ -5,19 +5,23 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 19] = [
+const FLOORS: [&str; 23] = [
     "error",
     "text",
     "num",
     "residual",
     "axis",
+    "grid",
     "spectrum",
     "signal",
+    "field",
     "nyquist",
     "kernel",
     "sampled",
     "comb",
     "reconstruct",
+    "image",
+    "door",
     "beyond",
     "resolve",
     "laws",

@@ -2,8 +2,8 @@
 
 use crate::error::{Result, unknown};
 use crate::laws::{
-    Law, alias, cubics, frames, generalised, gibbs, hold, integration, jitter, kernels, metrics, poisson, theorems,
-    truncation,
+    Law, alias, coverage, cubics, frames, generalised, gibbs, hold, integration, jitter, kernels, lattices, metrics,
+    plane, poisson, theorems, truncation,
 };
 
 /// The themes, each with its laws.
@@ -21,6 +21,9 @@ static THEMES: &[&[Law]] = &[
     integration::LAWS,
     generalised::LAWS,
     frames::LAWS,
+    plane::LAWS,
+    lattices::LAWS,
+    coverage::LAWS,
 ];
 
 /// All laws.

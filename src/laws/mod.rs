@@ -5,6 +5,7 @@
 
 pub mod alias;
 pub mod catalog;
+pub mod coverage;
 pub mod cubics;
 pub mod frames;
 pub mod generalised;
@@ -13,7 +14,9 @@ pub mod hold;
 pub mod integration;
 pub mod jitter;
 pub mod kernels;
+pub mod lattices;
 pub mod metrics;
+pub mod plane;
 pub mod poisson;
 pub mod theorems;
 pub mod truncation;

@@ -8,6 +8,7 @@ mod e07_copies_overlap_when_the_step_is_not_small_enough;
 mod e08_equality_suffices_for_a_density_and_not_for_a_line;
 mod e09_half_the_rate_is_a_supremum_that_is_not_attained;
 mod e12_irregular_samples_restore_the_signal;
+mod e13_e14_exact_area_is_a_box_prefilter;
 mod e15_e16_what_rings_and_how_much;
 mod e19_e20_deltas_and_copies;
 mod e21_edges_have_no_infinite_frequencies;
