@@ -5,13 +5,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 19] = [
+const FLOORS: [&str; 20] = [
     "text",
     "error",
     "num",
     "residual",
     "axis",
     "spectrum",
+    "pattern",
     "signal",
     "nyquist",
     "kernel",
