@@ -6,6 +6,7 @@
 pub mod alias;
 pub mod catalog;
 pub mod cubics;
+pub mod discrepancy;
 pub mod frames;
 pub mod generalised;
 pub mod gibbs;
@@ -14,9 +15,12 @@ pub mod integration;
 pub mod jitter;
 pub mod kernels;
 pub mod metrics;
+pub mod point_spectra;
 pub mod poisson;
+pub mod spacing;
 pub mod theorems;
 pub mod truncation;
+pub mod variance;
 
 use crate::residual::Residual;
 use crate::text::Text;
