@@ -101,7 +101,7 @@ pub mod text;
 pub mod prelude {
     pub use crate::axis::{Axis, Edge, Unit};
     pub use crate::beyond::{
-        BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery, TrigPolynomial,
+        BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery, Refined,
     };
     pub use crate::comb::Comb;
     pub use crate::error::{Error, Result};
@@ -145,6 +145,7 @@ pub mod prelude {
     pub use crate::sampled::convolution::{convolve, convolve_circular};
     pub use crate::sampled::dft::{forward, inverse};
     pub use crate::sampled::dtft::dtft;
+    pub use crate::sampled::occupied::occupied_band;
     pub use crate::sampled::power::{periodogram, power};
     pub use crate::sampled::window::Window;
     pub use crate::sampled::{Bins, Samples};
@@ -157,9 +158,11 @@ pub mod prelude {
     pub use crate::signal::raised_cosine::RaisedCosine;
     pub use crate::signal::series::{PartialSum, Wave};
     pub use crate::signal::sinc::{Sinc, SincSquared};
+    pub use crate::signal::spline::Spline;
     pub use crate::signal::tent::Tent;
     pub use crate::signal::theorem::{Convolution, Derivative, Modulated, Product, Scaled, Shifted, Stretched, Sum};
     pub use crate::signal::tone::{Cosine, Sine};
+    pub use crate::signal::trigonometric::TrigPolynomial;
     pub use crate::signal::{Differentiable, FourierPair, Signal, from_fn};
     pub use crate::spectrum::{Impulse, Spectrum};
     pub use crate::text::{Lang, Text};

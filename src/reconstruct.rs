@@ -71,10 +71,10 @@ impl<'a, K: Kernel> Reconstruction<'a, K> {
     /// The weights `k((x − x_i)/T)` of the samples of the record itself, as (index, weight), without those beyond its ends:
     /// what a figure draws as scaled kernels.
     pub fn weights(&self, x: f64) -> impl Iterator<Item = (usize, f64)> + '_ {
-        let u = self.samples.axis().index_of(x);
-        let (first, last) = self.reach(u);
+        let place = Place::of(x, self.samples.axis());
+        let (first, last) = self.reach(place);
         let (first, last) = (first.max(0), last.min(self.samples.axis().len() as i64 - 1));
-        (first..=last).map(move |i| (i as usize, self.kernel.at(u - i as f64)))
+        (first..=last).map(move |i| (i as usize, self.kernel.at(place.minus(i))))
     }
 
     /// The transform of the reconstruction, `F̃(ν) = K(νT)·T Σ f(x_i) e^{−2πiνx_i}`: the copies that sampling made, through
@@ -106,51 +106,75 @@ impl<'a, K: Kernel> Reconstruction<'a, K> {
     }
 
     /// The indices `i` with `|u − i| ≤ radius`; all of the record for an infinite radius.
-    fn reach(&self, u: f64) -> (i64, i64) {
+    fn reach(&self, place: Place) -> (i64, i64) {
         let radius = self.kernel.radius();
+        let from_nearest = |distance: f64| place.nearest.saturating_add(distance as i64);
         match radius.is_finite() {
-            true => ((u - radius).ceil() as i64, (u + radius).floor() as i64),
+            true => (from_nearest((place.rest - radius).ceil()), from_nearest((place.rest + radius).floor())),
             false => (0, self.samples.axis().len() as i64 - 1),
         }
     }
 
     /// The sum over the samples within the radius.
-    fn near(&self, u: f64) -> f64 {
+    fn near(&self, place: Place) -> f64 {
         let values = self.samples.values();
         let value = |i: i64| self.edge.index(i, values.len()).map_or(0.0, |j| values[j]);
-        let (first, last) = self.reach(u);
-        (first..=last).map(|i| value(i) * self.kernel.at(u - i as f64)).sum()
+        let (first, last) = self.reach(place);
+        (first..=last).map(|i| value(i) * self.kernel.at(place.minus(i))).sum()
     }
 
     /// The sum over infinitely many samples, in closed form beyond the record.
-    fn everywhere(&self, u: f64) -> f64 {
-        let values = self.samples.values();
-        let (n, last) = (values.len(), values.len() - 1);
+    fn everywhere(&self, place: Place) -> f64 {
+        let (values, kernel) = (self.samples.values(), &self.kernel);
+        let n = values.len();
+        let (first, last) = (0, n as i64 - 1);
         let each =
-            |weight: &dyn Fn(f64) -> f64| -> f64 { values.iter().enumerate().map(|(i, v)| v * weight(i as f64)).sum() };
+            |weight: &dyn Fn(i64) -> f64| -> f64 { values.iter().enumerate().map(|(i, v)| v * weight(i as i64)).sum() };
         match self.edge {
-            Edge::Zero => each(&|i| self.kernel.at(u - i)),
+            Edge::Zero => each(&|i| kernel.at(place.minus(i))),
             Edge::Clamp => {
-                let before = values[0] * self.kernel.step_response(-1.0 - u);
-                let after = values[last] * self.kernel.step_response(u - n as f64);
-                each(&|i| self.kernel.at(u - i)) + before + after
+                let before = values[0] * kernel.step_response(-place.minus(first - 1));
+                let after = values[n - 1] * kernel.step_response(place.minus(last + 1));
+                each(&|i| kernel.at(place.minus(i))) + before + after
             }
-            Edge::Wrap => each(&|i| self.kernel.periodic(u - i, n)),
-            Edge::Mirror => {
-                let reflected = |i: f64| (2 * n - 1) as f64 - i;
-                each(&|i| self.kernel.periodic(u - i, 2 * n) + self.kernel.periodic(u - reflected(i), 2 * n))
-            }
+            Edge::Wrap => each(&|i| kernel.periodic(place.minus(i), n)),
+            Edge::Mirror => each(&|i| {
+                let reflected = 2 * last + 1 - i;
+                kernel.periodic(place.minus(i), 2 * n) + kernel.periodic(place.minus(reflected), 2 * n)
+            }),
         }
+    }
+}
+
+/// A place between samples: the index of the nearest one, and the distance from it in steps.
+///
+/// Far from the start of a record `(x − start)/T` has lost the digits that matter; the distance from the nearest sample has
+/// not, and is exactly zero on a sample.
+#[derive(Clone, Copy)]
+struct Place {
+    nearest: i64,
+    rest: f64,
+}
+
+impl Place {
+    fn of(x: f64, axis: Axis) -> Self {
+        let nearest = axis.index_of(x).round() as i64;
+        Self { nearest, rest: (x - axis.at(nearest)) / axis.step() }
+    }
+
+    /// The distance to sample `i` in steps, `u − i`.
+    fn minus(self, i: i64) -> f64 {
+        self.nearest.saturating_sub(i) as f64 + self.rest
     }
 }
 
 impl<K: Kernel> Signal for Reconstruction<'_, K> {
     fn at(&self, x: f64) -> f64 {
-        let u = self.samples.axis().index_of(x);
-        match u.is_finite() {
+        let place = Place::of(x, self.samples.axis());
+        match place.rest.is_finite() {
             false => f64::NAN,
-            true if self.kernel.radius().is_finite() => self.near(u),
-            true => self.everywhere(u),
+            true if self.kernel.radius().is_finite() => self.near(place),
+            true => self.everywhere(place),
         }
     }
 }

@@ -1,11 +1,11 @@
 //! How many samples a function needs, found out by sampling it.
 
 use crate::axis::Axis;
-use crate::beyond::trigonometric::{TrigPolynomial, rising};
 use crate::error::{Error, Result, within};
 use crate::num::{cos_pi, sin_pi};
 use crate::sampled::Samples;
 use crate::sampled::dft::{dft, inverse_dft};
+use crate::signal::trigonometric::{TrigPolynomial, rising};
 use crate::signal::{FourierPair, Signal};
 use crate::spectrum::Spectrum;
 use num_complex::Complex;

@@ -1,6 +1,8 @@
 //! Every sentence that a reader sees, in English and in Russian.
 
+use crate::error::{Error, unknown};
 use std::borrow::Cow;
+use std::str::FromStr;
 
 /// A language of labels and captions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -21,6 +23,16 @@ impl Lang {
             Self::En => "en",
             Self::Ru => "ru",
         }
+    }
+}
+
+/// Reads a language's code, in letters of any case.
+impl FromStr for Lang {
+    type Err = Error;
+
+    fn from_str(code: &str) -> Result<Self, Error> {
+        let found = Self::ALL.into_iter().find(|l| l.code().eq_ignore_ascii_case(code));
+        found.ok_or_else(|| unknown("language", code, Self::ALL.map(Self::code)))
     }
 }
 

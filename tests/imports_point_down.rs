@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
 const FLOORS: [&str; 20] = [
-    "text",
     "error",
+    "text",
     "num",
     "residual",
     "axis",

@@ -1,10 +1,10 @@
 //! Recovery from samples at irregular, known positions.
 
-use crate::beyond::trigonometric::{TrigPolynomial, rising};
 use crate::error::{Error, Result, all_finite, positive};
 use crate::num::svd::Svd;
 use crate::num::{cos_pi, sin_pi, sinc};
 use crate::signal::Signal;
+use crate::signal::trigonometric::{TrigPolynomial, rising};
 use ndarray::Array2;
 use num_complex::Complex;
 use std::f64::consts::SQRT_2;

@@ -5,11 +5,11 @@ pub mod derivative;
 pub mod interlaced;
 pub mod irregular;
 pub mod jitter;
-pub mod trigonometric;
+pub mod refined;
 
 pub use bandpass::BandPass;
 pub use derivative::DerivativeSamples;
 pub use interlaced::Interlaced;
 pub use irregular::{Irregular, Recovery};
 pub use jitter::{Jitter, JitteredComb};
-pub use trigonometric::TrigPolynomial;
+pub use refined::{Refined, Refinement};

@@ -2,7 +2,7 @@
 
 use crate::cli::{Failure, files};
 use indicatif::{ProgressBar, ProgressStyle};
-use nyquist::error::{Error, unknown};
+use nyquist::error::Error;
 use nyquist::figure::{Entry, Figure, catalog};
 use nyquist::gallery::{self, File, Options, Rendered, html, index, markdown};
 use nyquist::plot::{Format, Theme};
@@ -25,13 +25,13 @@ pub(super) struct Args {
     #[arg(long, default_value = "figures", value_name = "DIR")]
     out: PathBuf,
     /// File formats: svg, png, pdf
-    #[arg(long, value_delimiter = ',', value_parser = format, default_value = "svg,png,pdf")]
+    #[arg(long, value_delimiter = ',', default_value = "svg,png,pdf")]
     format: Vec<Format>,
     /// Languages of the labels: en, ru
-    #[arg(long, value_delimiter = ',', value_parser = lang, default_value = "en,ru")]
+    #[arg(long, value_delimiter = ',', default_value = "en,ru")]
     lang: Vec<Lang>,
     /// Colours: light or dark
-    #[arg(long, value_parser = theme, default_value = "light")]
+    #[arg(long, default_value = "light")]
     theme: Theme,
     /// Leave out the title above the picture
     #[arg(long)]
@@ -54,24 +54,6 @@ pub(super) struct Args {
     /// Compare with the files in DIR instead of writing: exit code 1 if any differs
     #[arg(long, conflicts_with_all = ["list", "set", "data"])]
     check: bool,
-}
-
-fn format(name: &str) -> Result<Format, Error> {
-    let found = Format::ALL.into_iter().find(|f| f.extension() == name);
-    found.ok_or_else(|| unknown("format", name, Format::ALL.iter().map(|f| f.extension())))
-}
-
-pub(super) fn lang(name: &str) -> Result<Lang, Error> {
-    let found = Lang::ALL.into_iter().find(|l| l.code() == name);
-    found.ok_or_else(|| unknown("language", name, Lang::ALL.iter().map(|l| l.code())))
-}
-
-fn theme(name: &str) -> Result<Theme, Error> {
-    match name {
-        "light" => Ok(Theme::Light),
-        "dark" => Ok(Theme::Dark),
-        _ => Err(unknown("theme", name, ["light", "dark"])),
-    }
 }
 
 fn assignment(given: &str) -> Result<(String, String), Error> {

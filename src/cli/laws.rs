@@ -17,7 +17,7 @@ pub(super) struct Args {
     #[arg(long)]
     json: bool,
     /// The language of the statements
-    #[arg(long, default_value = "en", value_parser = crate::cli::figures::lang)]
+    #[arg(long, default_value = "en")]
     lang: Lang,
 }
 

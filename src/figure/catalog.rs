@@ -1,14 +1,23 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::figure::{Entry, aliasing};
+use crate::figure::{Entry, alias, film, formal, further, problem, reconstruction, remedy, synthesis};
 
-/// The families, each with its entries.
-static FAMILIES: &[&[Entry]] = &[aliasing::ENTRIES];
+/// The chapters, each with its families.
+static CHAPTERS: &[&[&[Entry]]] = &[
+    problem::FAMILIES,
+    formal::FAMILIES,
+    reconstruction::FAMILIES,
+    alias::FAMILIES,
+    remedy::FAMILIES,
+    synthesis::FAMILIES,
+    film::FAMILIES,
+    further::FAMILIES,
+];
 
 /// All figures, sorted by their ids: `f02-…` first, what goes beyond the lecture (`x…`) last.
 pub fn all() -> Vec<&'static Entry> {
-    let mut entries: Vec<&Entry> = FAMILIES.iter().copied().flatten().collect();
+    let mut entries: Vec<&Entry> = CHAPTERS.iter().copied().flatten().copied().flatten().collect();
     entries.sort_by_key(|entry| entry.id);
     entries
 }

@@ -24,6 +24,11 @@ pub fn values(name: &'static str, low: f64, high: f64) -> Scale {
     Scale::linear(Text::same(name), low, high)
 }
 
+/// A scale without a name, ticks or numbers: for panels stacked over one that has them, and for values that need none.
+pub fn unmarked(low: f64, high: f64) -> Scale {
+    Scale::linear(Text::EMPTY, low, high).bare()
+}
+
 /// The curve of a signal over `low..=high`.
 pub fn signal_curve(name: &'static str, meaning: Meaning, signal: &impl Signal, low: f64, high: f64) -> Layer {
     Layer::curve(name, meaning, low, high, PIECES, |x| signal.at(x))

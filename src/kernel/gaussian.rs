@@ -85,13 +85,13 @@ impl GaussianKernel {
 
 impl Signal for GaussianKernel {
     fn at(&self, t: f64) -> f64 {
-        if t.abs() >= self.radius {
+        let t = t.abs();
+        if t >= self.radius {
             return 0.0;
         }
-        // e^{−αt²} − e^{−αr²}, without cancellation near the edge
-        let edge = (-self.alpha * self.radius * self.radius).exp();
-        let height = self.alpha * (self.radius - t) * (self.radius + t);
-        if edge > 0.0 { edge * height.exp_m1() / self.area } else { (-self.alpha * t * t).exp() / self.area }
+        // e^{−αt²}·(1 − e^{−α(r²−t²)}), which does not cancel near the edge
+        let below = self.alpha * (self.radius - t) * (self.radius + t);
+        -(-self.alpha * t * t).exp() * (-below).exp_m1() / self.area
     }
 }
 

@@ -6,7 +6,7 @@
 //! | response | `∫_{ν−½}^{ν+½} W(u) du`, `W(u) = 2r/I₀(β)·sinh(√(β²−(2πru)²))/√(β²−(2πru)²)`, by quadrature |
 //! | parameters | the radius `r`, and `β`: 0 is the bare truncated sinc, 8 leaks −80 dB |
 //! | use it | for sound, for figures that must separate aliasing before and after the samples (a radius of 15 to 30), for rate conversion |
-//! | artefacts | the band edge at Nyquist is always at half gain, and `β/(2πr)` wide to either side: what lies in there is damped below and leaks above |
+//! | artefacts | Nyquist itself is at half gain, to within the leakage, and `β/(2πr)` wide to either side: what lies in there is damped below and leaks above |
 //! | source | Kaiser, *Nonrecursive digital filter design using the I₀-sinh window function*, 1974; Oppenheim & Schafer |
 
 use crate::error::{Result, within};

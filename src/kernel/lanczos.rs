@@ -76,7 +76,7 @@ impl Kernel for Lanczos {
         let a = self.lobes;
         // ∫₀ᵃ (1 − cos pt)/t² dt, by parts
         let h = |p: f64| p * si(p * a) - (1.0 - (p * a).cos()) / a;
-        let (low, high, q) = (PI * (1.0 - 1.0 / a), PI * (1.0 + 1.0 / a), 2.0 * PI * nu);
+        let (low, high, q) = (PI * (1.0 - 1.0 / a), PI * (1.0 + 1.0 / a), 2.0 * PI * nu.abs());
         a / (2.0 * PI * PI) * (h(high + q) + h(high - q) - h(low + q) - h(low - q))
     }
 }

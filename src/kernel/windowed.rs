@@ -21,6 +21,7 @@ pub(crate) fn response(nu: f64, radius: f64, spectrum: impl Fn(f64) -> f64) -> f
     if !nu.is_finite() {
         return if nu.is_nan() { nu } else { 0.0 };
     }
+    let nu = nu.abs();
     let breaks = even_breaks(nu - 0.5, nu + 0.5, 0.5 / radius.max(0.5));
     integrate_pieces(spectrum, &breaks, 1e-16).value
 }

@@ -1,13 +1,13 @@
 //! Irregular positions: how far they may stray, and what can be recovered from them (V24, V25).
 
 use crate::beyond::irregular::Irregular;
-use crate::beyond::trigonometric::TrigPolynomial;
 use crate::error::{Result, all_finite, within};
 use crate::laws::Law;
 use crate::num::random::{normal, uniform};
 use crate::num::svd::Svd;
 use crate::num::{cos_pi, sin_pi, sinc};
 use crate::residual::Residual;
+use crate::signal::trigonometric::TrigPolynomial;
 use crate::text::Text;
 use ndarray::Array2;
 use num_complex::Complex;

@@ -1,7 +1,6 @@
 //! Averages instead of reconstructions: which points integrate what, and how well (V12, V17).
 
 use crate::beyond::jitter::{Jitter, JitteredComb};
-use crate::beyond::trigonometric::TrigPolynomial;
 use crate::error::{Result, positive};
 use crate::laws::Law;
 use crate::laws::frames::random_polynomial;
@@ -11,6 +10,7 @@ use crate::num::random::uniform;
 use crate::num::sinc;
 use crate::residual::Residual;
 use crate::signal::Signal;
+use crate::signal::trigonometric::TrigPolynomial;
 use crate::text::Text;
 use num_complex::Complex;
 
@@ -146,7 +146,7 @@ pub fn stratification(f: &impl Signal, breaks: &[f64], peak: f64, widths: &[(f64
     let expected = random - means / f64::from(total);
     [
         Residual::near("Var strat = Var random − Var(stratum means)/N", stratified, expected, bound),
-        Residual::at_most("stratification never hurts", stratified - random, bound),
+        Residual::at_most("stratification never hurts", (stratified - random).max(0.0), bound),
     ]
 }
 

@@ -1,7 +1,7 @@
 //! What jitter does to the spectrum: to the comb's own (V10), and to the samples taken with it (V11).
 
 use crate::beyond::jitter::{Jitter, JitteredComb};
-use crate::error::{Result, within};
+use crate::error::{Error, Result, within};
 use crate::laws::Law;
 use crate::num::cos_pi;
 use crate::residual::Residual;
@@ -78,12 +78,16 @@ pub struct Displayed {
 }
 
 /// Samples of the tone `cos(2πmx/(nT))` taken at the jittered positions of `comb` and displayed at the regular ones,
-/// `x = kT`, as an image does: the mean spectrum of `patterns` patterns of `n` samples.
+/// `x = kT`, as an image does: the mean spectrum of `patterns` patterns of `n` samples. With `m > n/2` the tone is above
+/// Nyquist, and its line stands at the alias as well.
 ///
 /// # Errors
-/// A bin `m` outside `1 ..= n/2 − 1`.
+/// A bin `m` outside `1 ..= n − 1`, or the one at Nyquist, `n/2`, where the tone's two lines meet.
 pub fn displayed_on_the_grid(comb: &JitteredComb, seed: u64, n: usize, patterns: u32, m: usize) -> Result<Displayed> {
-    within("the bin of a tone", m as f64, 1.0, n as f64 / 2.0 - 1.0)?;
+    within("the bin of a tone", m as f64, 1.0, n as f64 - 1.0)?;
+    if 2 * m == n {
+        return Err(Error::Unsupported("a tone at Nyquist, displayed on the grid"));
+    }
     let (mut mean, mut bins) = (Complex::ZERO, vec![0.0; n]);
     for pattern in 0..patterns {
         let tone = |x: f64| cos_pi(2.0 * (x / comb.step()) * m as f64 / n as f64);
@@ -108,7 +112,7 @@ pub fn displayed_on_the_grid(comb: &JitteredComb, seed: u64, n: usize, patterns:
 /// `√(N/(nR))`, a bin by `√((2N² + 4N/n)/R)`, each times [`deviations`]; and the rounding of the transform.
 ///
 /// # Errors
-/// A bin `m` outside `1 ..= n/2 − 1`.
+/// As [`displayed_on_the_grid`].
 pub fn jittered_tone(
     comb: &JitteredComb,
     model: &JitteredComb,

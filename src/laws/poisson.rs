@@ -24,8 +24,10 @@ pub fn sum_rounding(n: usize, size: f64) -> f64 {
 /// `T Σ_k f(kT) e^{−2πiνkT} = Σ_k F(ν − k/T)`: the DTFT of the samples is the sum of the shifted copies.
 ///
 /// Measured: the largest difference over `frequencies`, the left side summed over `|k| ≤ terms`, the right over
-/// `|k| ≤ order`. Allowed: the rounding of the left sum plus `tail`, the caller's bound for what the two sums leave
-/// out (zero for a signal that has decayed below rounding at `terms·T`, and whose copies end before `order/T`).
+/// `|k| ≤ order`. Allowed: the rounding of the left sum; of the arguments, `νkT` on the left and `ν − k/T` on the right,
+/// each to two or three roundings, `4ε·|ν|·2πT Σ|kT·f(kT)|` on both sides since `|F′| ≤ 2π∫|x·f|`; plus `tail`, the
+/// caller's bound for what the two sums leave out (zero for a signal that has decayed below rounding at `terms·T`, and
+/// whose copies end before `order/T`).
 ///
 /// ```
 /// use nyquist::laws::poisson::poisson_summation;
@@ -50,7 +52,10 @@ pub fn poisson_summation(
     let differences = frequencies.iter().map(|&nu| (dtft(&samples, nu) - copies.density(nu)).norm());
     let measured = differences.fold(0.0, f64::max);
     let size: f64 = step * samples.values().iter().map(|v| v.abs()).sum::<f64>();
-    let bound = sum_rounding(2 * terms + 1, size) + tail;
+    let farthest = frequencies.iter().fold(0.0, |far: f64, nu| far.max(nu.abs()));
+    let moment: f64 = step * samples.points().map(|[x, v]| (x * v).abs()).sum::<f64>();
+    let arguments = 4.0 * f64::EPSILON * farthest * 2.0 * std::f64::consts::PI * moment;
+    let bound = sum_rounding(2 * terms + 1, size) + 2.0 * arguments + tail;
     Ok(Residual::at_most("Poisson summation: DTFT of the samples = sum of the copies", measured, bound))
 }
 

@@ -2,6 +2,7 @@
 
 pub mod extremum;
 pub mod faddeeva;
+pub mod isoline;
 pub mod quadrature;
 pub mod random;
 mod sinc;

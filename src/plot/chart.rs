@@ -3,7 +3,7 @@
 use super::Failure;
 use super::canvas::{Canvas, With};
 use super::layout::{Fitted, Placed, tick};
-use super::look::{Sizes, halo, ink, stroke};
+use super::look::{Sizes, filled, halo, ink, stroke};
 use super::marks::Painter;
 use super::palette::{Rgb, Theme};
 use super::ruler::Ruler;
@@ -138,7 +138,7 @@ impl Sheet<'_> {
         if upright {
             style = style.transform(FontTransform::Rotate270);
         }
-        Ok(self.root.draw_text(&text.text, &style, (fine(x), fine(y)))?)
+        self.root.draw_text(&text.text, &style, (fine(x), fine(y)))
     }
 
     /// A style of text for plotters; our canvas knows one family.
@@ -152,8 +152,7 @@ impl Sheet<'_> {
         let half = 0.5 * typeset::width(&title.text, Face::Bold, title.size);
         let (least, most) = (placed.cell.left + half, placed.cell.right - half);
         let x = (0.5 * (plot.left + plot.right)).min(most).max(least);
-        let rows = placed.rows() + if placed.rows() > 0.0 { 0.15 * self.sizes.body } else { 0.0 };
-        let baseline = plot.top - rows - 0.45 * self.sizes.body;
+        let baseline = plot.top - placed.raised - 0.6 * self.sizes.body;
         self.write(title, FontStyle::Bold, (x, baseline), VPos::Bottom, false)
     }
 
@@ -169,6 +168,8 @@ impl Sheet<'_> {
         let pad = 0.3 * sizes.body;
         let rgb = if layer.meaning == Meaning::Guide { self.theme.text() } else { self.theme.colour(layer.meaning) };
         self.canvas.set(With { halo: Some(halo(self.theme, sizes.body)), ..With::default() });
+        // On an image a halo is not enough: letters get a plate.
+        let plate = placed.panel.layers.iter().any(|l| matches!(l.mark, Mark::Raster { .. }));
         for ([x, y], text) in notes {
             if !placed.x.shows(*x) || !placed.y.shows(*y) {
                 continue;
@@ -178,14 +179,18 @@ impl Sheet<'_> {
                 Face::Regular,
                 sizes.body,
                 sizes.least.min(sizes.body),
-                plot.width() - 2.0 * pad,
+                plot.width() - 3.0 * pad,
             );
             let half = 0.5 * typeset::width(&text, Face::Regular, size);
             let tall = 0.5 * size * (1.0 + LEADING * (text.lines().count().max(1) - 1) as f64);
             let (px, py) = chart.plotting_area().map_coordinate(&(*x, *y));
             let (px, py) = (f64::from(px) / FINE, f64::from(py) / FINE);
-            let x = px.min(plot.right - pad - half).max(plot.left + pad + half);
+            let x = px.min(plot.right - 1.5 * pad - half).max(plot.left + 1.5 * pad + half);
             let y = py.min(plot.bottom - pad - tall).max(plot.top + pad + tall);
+            if plate {
+                let corner = |side: f64| (fine(x + side * (half + pad)), fine(y + side * (tall + 0.5 * pad)));
+                self.root.draw(&Rectangle::new([corner(-1.0), corner(1.0)], filled(self.theme.paper(), 0.85)))?;
+            }
             let style = self.style(size, FontStyle::Normal, rgb).pos(Pos::new(HPos::Center, VPos::Center));
             self.root.draw_text(&text, &style, (fine(x), fine(y)))?;
         }

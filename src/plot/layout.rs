@@ -6,7 +6,7 @@ use super::look::Sizes;
 use super::raster::settled;
 use super::ruler::{Room, Ruler};
 use super::typeset::{self, CAP, Face, LEADING};
-use crate::figure::{Figure, Panel, Scale};
+use crate::figure::{Figure, Legend, Panel, Scale};
 use crate::text::Lang;
 
 /// A panel with everything decided.
@@ -21,8 +21,11 @@ pub(super) struct Placed<'a> {
     pub x_label: Fitted,
     pub y_label: Fitted,
     pub legend: Option<Listed<'a>>,
-    /// What stands around the plot.
-    pub margins: Margins,
+    /// Whether the legend stands above the plot.
+    above: bool,
+    /// How far the title stands above the plot to be level with the others of its row.
+    pub raised: f64,
+    margins: Margins,
     pub cell: Frame,
     row: usize,
     columns: (usize, usize),
@@ -53,11 +56,11 @@ impl Fitted {
 
 /// What stands around a plot, in units of the picture.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Margins {
-    pub left: f64,
-    pub right: f64,
-    pub top: f64,
-    pub bottom: f64,
+struct Margins {
+    left: f64,
+    right: f64,
+    top: f64,
+    bottom: f64,
 }
 
 impl Margins {
@@ -71,22 +74,53 @@ impl Margins {
     }
 }
 
-/// The length of a tick; plotters puts labels at twice that distance.
+/// The length of a tick. plotters puts labels at twice that distance: far enough that in the corner of the frame the
+/// lowest number on the left stays above the exponent of the first one below.
 pub(super) fn tick(sizes: &Sizes) -> f64 {
-    (5.0 * sizes.one).round()
+    0.3 * sizes.body
 }
 
 /// Everything of `figure` placed within `page`.
 pub(super) fn placed<'a>(figure: &'a Figure, page: Frame, sizes: &Sizes, lang: Lang) -> Vec<Placed<'a>> {
     let mut panels = grid(figure, page, sizes);
-    // Ticks depend on the plot's size, and that on the width of the labels: a few rounds settle it, the last ones
-    // never giving room back.
+    settle(&mut panels, sizes, lang);
+    // A legend that would hide data in every corner moves above its plot, if the plot can spare the room or its row
+    // gives that room up anyway.
+    let hiding: Vec<bool> = panels
+        .iter()
+        .map(|p| legend::boxed(p.panel, sizes, lang, p.plot, (&p.x, &p.y)).is_some_and(|(_, hides)| hides && !p.above))
+        .collect();
+    let moved = hiding.contains(&true);
+    for (p, _) in panels.iter_mut().zip(&hiding).filter(|(p, hides)| **hides && p.plot.height() > 6.0 * sizes.body) {
+        p.above = true;
+    }
+    let raised: Vec<usize> = panels.iter().filter(|p| p.above).map(|p| p.row).collect();
+    for (p, _) in panels.iter_mut().zip(&hiding).filter(|(p, hides)| **hides && raised.contains(&p.row)) {
+        p.above = true;
+    }
+    if moved {
+        settle(&mut panels, sizes, lang);
+    }
+    for p in panels.iter_mut().filter(|p| !p.above) {
+        p.legend = legend::boxed(p.panel, sizes, lang, p.plot, (&p.x, &p.y)).map(|(listed, _)| listed);
+    }
+    let rows: Vec<(usize, f64, f64)> = panels.iter().map(|p| (p.row, p.plot.top, p.rows())).collect();
+    for p in &mut panels {
+        let level = rows.iter().filter(|(row, top, _)| *row == p.row && *top == p.plot.top);
+        p.raised = level.map(|(_, _, height)| *height).fold(0.0, f64::max);
+    }
+    panels
+}
+
+/// Chooses margins, ticks and plots. Ticks depend on the plot's size, and that on the width of the labels: a few rounds
+/// settle it, the last ones never giving room back.
+fn settle(panels: &mut [Placed<'_>], sizes: &Sizes, lang: Lang) {
     for round in 0..5 {
-        for p in &mut panels {
+        for p in panels.iter_mut() {
             p.measure(sizes, lang);
         }
         let needs: Vec<Margins> = panels.iter().map(|p| p.needs(sizes)).collect();
-        let shared: Vec<Margins> = panels.iter().map(|p| p.shared(&panels, &needs)).collect();
+        let shared: Vec<Margins> = panels.iter().map(|p| p.shared(panels, &needs)).collect();
         for (p, needed) in panels.iter_mut().zip(shared) {
             p.margins = if round < 2 { needed } else { p.margins.max(needed) };
             let m = p.margins;
@@ -99,13 +133,9 @@ pub(super) fn placed<'a>(figure: &'a Figure, page: Frame, sizes: &Sizes, lang: L
             p.plot = settled(p.panel, room);
         }
     }
-    for p in &mut panels {
+    for p in panels {
         p.measure(sizes, lang);
-        if p.legend.is_none() {
-            p.legend = legend::boxed(p.panel, sizes, lang, p.plot, (&p.x, &p.y));
-        }
     }
-    panels
 }
 
 /// The cells of the grid.
@@ -152,6 +182,8 @@ fn grid<'a>(figure: &'a Figure, page: Frame, sizes: &Sizes) -> Vec<Placed<'a>> {
             x_label: Fitted::default(),
             y_label: Fitted::default(),
             legend: None,
+            above: panel.legend == Legend::Above,
+            raised: 0.0,
             margins: Margins::default(),
             cell,
             row,
@@ -166,7 +198,7 @@ impl Placed<'_> {
     fn measure(&mut self, sizes: &Sizes, lang: Lang) {
         let wide = |label: &str| typeset::width(label, Face::Regular, sizes.body) + 0.7 * sizes.body;
         let tall = |label: &str| sizes.body * if label.contains("^{") { 1.75 } else { 1.5 };
-        let most = |length: f64, each: f64, top: usize| ((length / (each * sizes.body)) as usize).clamp(2, top);
+        let most = |length: f64, each: f64, top: usize| ((length / (each * sizes.body)) as usize).clamp(3, top);
         let (width, height) = (self.plot.width(), self.plot.height());
         let ruler = |scale: &Scale, length, takes, most| Ruler::new(scale, &Room { length, takes, most, lang });
         self.x = ruler(&self.panel.x, width, &wide, most(width, 2.6, 11));
@@ -176,13 +208,11 @@ impl Placed<'_> {
         self.y_label = body(self.panel.y.label.get(lang), height.max(4.0 * sizes.body));
         let title = self.panel.title.get(lang);
         self.title = Fitted::new(title, Face::Bold, sizes.heading, sizes.least, self.cell.width());
-        if let Some((listed, _)) = legend::rows(self.panel, sizes, lang, width) {
-            self.legend = Some(listed);
-        }
+        self.legend = if self.above { legend::rows(self.panel, sizes, lang, width) } else { None };
     }
 
     /// The height of the legend above the plot.
-    pub(super) fn rows(&self) -> f64 {
+    fn rows(&self) -> f64 {
         let rows = self.legend.as_ref().filter(|l| l.frame.is_none());
         rows.map_or(0.0, |l| l.height())
     }
@@ -218,8 +248,8 @@ impl Placed<'_> {
             ticks.map(|t| beyond(self.x.part(t.0), &t.1, width, end)).fold(0.0, f64::max)
         };
         let label = 0.5 * (typeset::width(&self.x_label.text, Face::Regular, self.x_label.size) - width).max(0.0);
-        let title = self.title.height() + if self.title.lines() > 0.0 { 0.25 * sizes.body } else { 0.0 };
-        let rows = self.rows() + if self.rows() > 0.0 { 0.15 * sizes.body } else { 0.0 };
+        let title = self.title.height() + if self.title.lines() > 0.0 { 0.4 * sizes.body } else { 0.0 };
+        let rows = self.rows();
         Margins {
             left: left.max(over(0.0)).max(label),
             right: over(1.0).max(label).max(2.0 * sizes.one),

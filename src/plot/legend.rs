@@ -3,9 +3,9 @@
 use super::Failure;
 use super::canvas::With;
 use super::chart::{Frame, Sheet};
+use super::elements::corners;
 use super::layout::Placed;
 use super::look::{Look, Marker, Sizes, filled, stroke};
-use super::marks::marker;
 use super::palette::table;
 use super::ruler::Ruler;
 use super::scene::{FINE, Image, fine};
@@ -22,6 +22,8 @@ use std::rc::Rc;
 pub(super) struct Entry<'a> {
     pub label: String,
     pub layers: Vec<&'a Layer>,
+    /// How long its sample is, in ems.
+    sample: f64,
     /// The middle of the left edge, in units of the picture.
     pub left: f64,
     pub middle: f64,
@@ -40,66 +42,98 @@ fn entries(panel: &Panel, lang: Lang) -> Vec<Entry<'_>> {
     let mut entries: Vec<Entry<'_>> = Vec::new();
     for layer in panel.layers.iter().filter(|l| !l.label.get(lang).is_empty()) {
         let label = layer.label.get(lang);
+        let sample = sample(layer);
         match entries.iter_mut().find(|e| e.label == label) {
-            Some(entry) => entry.layers.push(layer),
-            None => entries.push(Entry { label: label.to_owned(), layers: vec![layer], left: 0.0, middle: 0.0 }),
+            Some(entry) => {
+                entry.layers.push(layer);
+                entry.sample = entry.sample.max(sample);
+            }
+            None => {
+                let (label, layers) = (label.to_owned(), vec![layer]);
+                entries.push(Entry { label, layers, sample, left: 0.0, middle: 0.0 });
+            }
         }
     }
     entries
 }
 
-/// How long the sample of a layer is, in ems, and how far the label stands from it.
-pub(super) const SAMPLE: f64 = 1.7;
-const GAP: f64 = 0.5;
+/// How long the sample of a layer is, in ems: lines need length, upright things do not.
+fn sample(layer: &Layer) -> f64 {
+    match layer.mark {
+        Mark::Dots(_) | Mark::Stems(_) | Mark::Arrows(_) | Mark::Verticals(_) => 0.75,
+        Mark::Area(_) | Mark::Bars { .. } | Mark::Spans(_) => 1.3,
+        _ => 1.7,
+    }
+}
+
+/// Between a sample and its label, in ems.
+const GAP: f64 = 0.45;
 /// Between entries in a row, in ems.
 const BETWEEN: f64 = 1.3;
 /// From line to line, in ems.
 const LINE: f64 = 1.35;
 
 fn width(entry: &Entry<'_>, size: f64) -> f64 {
-    typeset::width(&entry.label, Face::Regular, size) + (SAMPLE + GAP) * size
+    typeset::width(&entry.label, Face::Regular, size) + (entry.sample + GAP) * size
 }
 
 fn lines(entry: &Entry<'_>) -> f64 {
     entry.label.lines().count().max(1) as f64
 }
 
-/// A legend in rows `room` wide; places are relative to the upper left corner of the rows. Returns it and its height.
-pub(super) fn rows<'a>(panel: &'a Panel, sizes: &Sizes, lang: Lang, room: f64) -> Option<(Listed<'a>, f64)> {
+/// A legend in rows at most `room` wide, as few as hold it and equally full; places are relative to the upper left
+/// corner of the rows.
+pub(super) fn rows<'a>(panel: &'a Panel, sizes: &Sizes, lang: Lang, room: f64) -> Option<Listed<'a>> {
     let mut entries = entries(panel, lang);
-    if panel.legend != Legend::Above || entries.is_empty() {
+    if entries.is_empty() {
         return None;
     }
     let size = sizes.body;
-    let (mut left, mut row, mut tall) = (0.0, 0.0, 1.0_f64);
     for entry in &mut entries {
-        (entry.label, _) = typeset::fit(&entry.label, Face::Regular, size, size, room - (SAMPLE + GAP) * size);
+        (entry.label, _) = typeset::fit(&entry.label, Face::Regular, size, size, room - (entry.sample + GAP) * size);
+    }
+    let count = flowed(&mut entries, size, room);
+    let (mut narrow, mut wide) = (0.0, room);
+    for _ in 0..10 {
+        let middle = 0.5 * (narrow + wide);
+        if flowed(&mut entries, size, middle) > count { narrow = middle } else { wide = middle }
+    }
+    flowed(&mut entries, size, wide);
+    Some(Listed { entries, size, frame: None })
+}
+
+/// Places entries in rows and counts the rows.
+fn flowed(entries: &mut [Entry<'_>], size: f64, room: f64) -> usize {
+    let (mut left, mut row, mut tall, mut count) = (0.0, 0.0, 1.0_f64, 1);
+    for entry in entries {
         if left > 0.0 && left + width(entry, size) > room {
             row += LINE + LEADING * (tall - 1.0);
-            (left, tall) = (0.0, 1.0);
+            (left, tall, count) = (0.0, 1.0, count + 1);
         }
         entry.left = left;
         entry.middle = (row + LINE / 2.0 + 0.5 * LEADING * (lines(entry) - 1.0)) * size;
         tall = tall.max(lines(entry));
         left += width(entry, size) + BETWEEN * size;
     }
-    let height = (row + LINE + LEADING * (tall - 1.0)) * size;
-    Some((Listed { entries, size, frame: None }, height))
+    count
 }
 
 /// A legend in a corner of the plot: the one that the panel names, unless it would hide data there and another corner
-/// is free.
+/// is free. With it comes whether it hides data even so, because all corners do.
 pub(super) fn boxed<'a>(
     panel: &'a Panel,
     sizes: &Sizes,
     lang: Lang,
     plot: Frame,
     (x, y): (&Ruler, &Ruler),
-) -> Option<Listed<'a>> {
+) -> Option<(Listed<'a>, bool)> {
     let mut entries = entries(panel, lang);
-    if panel.legend == Legend::Above || entries.is_empty() {
+    if entries.is_empty() {
         return None;
     }
+    // One below the other, labels start at one place.
+    let longest = entries.iter().map(|e| e.sample).fold(0.0, f64::max);
+    entries.iter_mut().for_each(|e| e.sample = longest);
     let room = 0.62 * plot.width();
     let widest = |size: f64, entries: &[Entry<'_>]| entries.iter().map(|e| width(e, size)).fold(0.0, f64::max);
     let tall = |size: f64, entries: &[Entry<'_>]| size * (entries.len() as f64 * LINE + 0.4);
@@ -108,7 +142,7 @@ pub(super) fn boxed<'a>(
         size = sizes.least.max(0.85 * size);
     }
     for entry in &mut entries {
-        (entry.label, _) = typeset::fit(&entry.label, Face::Regular, size, size, room - (SAMPLE + GAP) * size);
+        (entry.label, _) = typeset::fit(&entry.label, Face::Regular, size, size, room - (entry.sample + GAP) * size);
     }
     let (pad, margin) = (0.4 * size, 0.5 * size);
     let box_width = widest(size, &entries) + 2.0 * pad;
@@ -139,7 +173,7 @@ pub(super) fn boxed<'a>(
         (entry.left, entry.middle) = (frame.left + pad, top + height / 2.0);
         top += height;
     }
-    Some(Listed { entries, size, frame: Some(frame) })
+    Some((Listed { entries, size, frame: Some(frame) }, hidden(corner) > 0))
 }
 
 /// How many data of the panel lie under `frame`; points of curves count also where they are between data.
@@ -157,8 +191,13 @@ fn covered(panel: &Panel, frame: Frame, plot: Frame, x: &Ruler, y: &Ruler) -> us
     let count = |layer: &Layer| match &layer.mark {
         Mark::Line(p) => p.windows(2).filter(|w| crosses(place(w[0][0], w[0][1]), place(w[1][0], w[1][1]))).count(),
         Mark::Dots(p) => p.iter().filter(|p| under(place(p[0], p[1]))).count(),
-        Mark::Stems(p) | Mark::Arrows(p) | Mark::Bars { points: p, .. } => {
-            p.iter().filter(|p| crosses(place(p[0], base), place(p[0], p[1]))).count()
+        Mark::Stems(p) | Mark::Arrows(p) => p.iter().filter(|p| crosses(place(p[0], base), place(p[0], p[1]))).count(),
+        Mark::Bars { width, points } => {
+            let bar = |p: &&[f64; 2]| {
+                let edges = [-0.5, 0.0, 0.5].map(|side| p[0] + side * width);
+                edges.into_iter().any(|x| crosses(place(x, base), place(x, p[1])))
+            };
+            points.iter().filter(bar).count()
         }
         Mark::Pointers(p) => p.iter().filter(|[a, b]| crosses(place(a[0], a[1]), place(b[0], b[1]))).count(),
         Mark::Notes(notes) => notes.iter().filter(|(p, _)| under(place(p[0], p[1]))).count(),
@@ -169,10 +208,10 @@ fn covered(panel: &Panel, frame: Frame, plot: Frame, x: &Ruler, y: &Ruler) -> us
 }
 
 impl Listed<'_> {
-    /// How high the rows above a plot are.
+    /// How high the rows above a plot are, with the gap to it.
     pub(super) fn height(&self) -> f64 {
         let bottom = |e: &Entry<'_>| e.middle + (0.5 * LINE + 0.5 * LEADING * (lines(e) - 1.0)) * self.size;
-        self.entries.iter().map(bottom).fold(0.0, f64::max)
+        self.entries.iter().map(bottom).fold(0.0, f64::max) + 0.3 * self.size
     }
 }
 
@@ -189,26 +228,26 @@ impl Sheet<'_> {
         } else {
             let widest = listed.entries.iter().map(|e| e.left + width(e, size)).fold(0.0, f64::max);
             let left = placed.plot.left + 0.5 * (placed.plot.width() - widest).max(0.0);
-            origin = (left, placed.plot.top - 0.15 * self.sizes.body - listed.height());
+            origin = (left, placed.plot.top - listed.height());
         }
         for entry in &listed.entries {
             let (x, y) = (origin.0 + entry.left, origin.1 + entry.middle);
             for layer in &entry.layers {
-                self.sample(layer, (x, y), size)?;
+                self.sample(layer, (x, y), (size, entry.sample))?;
             }
             let style = self.style(size, FontStyle::Normal, self.theme.text());
             let style = style.pos(Pos::new(HPos::Left, VPos::Center));
-            let left = x + (SAMPLE + GAP) * size;
+            let left = x + (entry.sample + GAP) * size;
             self.canvas.set(With::default());
             self.root.draw_text(&entry.label, &style, (fine(left), fine(y)))?;
         }
         Ok(())
     }
 
-    /// A small sample of a layer, its left end's middle at a place.
-    fn sample(&self, layer: &Layer, (x, y): (f64, f64), size: f64) -> Result<(), Failure> {
+    /// A small sample of a layer, `long` ems long, its left end's middle at a place.
+    fn sample(&self, layer: &Layer, (x, y): (f64, f64), (size, long): (f64, f64)) -> Result<(), Failure> {
         let look = Look::of(layer, self.theme, self.sizes);
-        let at = |along: f64, down: f64| (fine(x + along * SAMPLE * size), fine(y + down * size));
+        let at = |along: f64, down: f64| (fine(x + along * long * size), fine(y + down * size));
         let path = |points: Vec<(i32, i32)>| PathElement::new(points, look.line());
         let area = |opacity: f64| Rectangle::new([at(0.05, -0.36), at(0.95, 0.36)], filled(look.rgb, opacity));
         self.canvas.set(With { dash: look.dash.clone(), ..With::default() });
@@ -218,19 +257,19 @@ impl Sheet<'_> {
             if look.marker == Marker::Circle {
                 self.root.draw(&Circle::new(place, (radius * FINE).round() as i32, filled(look.rgb, 1.0)))?;
             } else {
-                let corners: Vec<_> =
-                    marker(look.marker, radius).into_iter().map(|c| (c.0 + place.0, c.1 + place.1)).collect();
-                self.root.draw(&Polygon::new(corners, filled(look.rgb, 1.0)))?;
+                let points: Vec<_> =
+                    corners(look.marker, radius).into_iter().map(|c| (c.0 + place.0, c.1 + place.1)).collect();
+                self.root.draw(&Polygon::new(points, filled(look.rgb, 1.0)))?;
             }
             Ok(())
         };
         let head = |tip: (f64, f64), up: bool| {
-            let (long, half) = (0.34, 0.15);
-            let wide = half / SAMPLE;
+            let (deep, half) = (0.38, 0.17);
+            let wide = half / long;
             if up {
-                vec![at(tip.0, tip.1), at(tip.0 - wide, tip.1 + long), at(tip.0 + wide, tip.1 + long)]
+                vec![at(tip.0, tip.1), at(tip.0 - wide, tip.1 + deep), at(tip.0 + wide, tip.1 + deep)]
             } else {
-                let back = tip.0 - long / SAMPLE;
+                let back = tip.0 - deep / long;
                 vec![at(tip.0, tip.1), at(back, tip.1 - half), at(back, tip.1 + half)]
             }
         };
@@ -251,7 +290,7 @@ impl Sheet<'_> {
             }
             Mark::Area(_) => self.root.draw(&area(0.4))?,
             Mark::Bars { .. } => self.root.draw(&area(0.8))?,
-            Mark::Spans(_) => self.root.draw(&area(0.2))?,
+            Mark::Spans(_) => self.root.draw(&area(0.35))?,
             Mark::Verticals(_) => self.root.draw(&path(vec![at(0.5, 0.45), at(0.5, -0.45)]))?,
             Mark::Notes(_) => {}
             Mark::Raster { tones, .. } => {

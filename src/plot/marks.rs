@@ -3,13 +3,14 @@
 use super::Failure;
 use super::canvas::{Canvas, With};
 use super::chart::{Chart, Frame};
-use super::look::{Look, Marker, Sizes, filled, ink, stroke};
+use super::elements::{Arrow, Curve, Tip, corners};
+use super::look::{Look, Marker, Sizes, filled, stroke};
 use super::palette::Theme;
 use super::raster;
 use super::ruler::Ruler;
-use super::scene::{FINE, Place};
+use super::scene::FINE;
 use crate::figure::{Layer, Mark, Meaning};
-use plotters::prelude::{Circle, EmptyElement, LineSeries, PathElement, Polygon, Rectangle};
+use plotters::prelude::{Circle, EmptyElement, PathElement, Polygon, Rectangle};
 
 /// Draws the layers of one panel.
 pub(super) struct Painter<'a> {
@@ -48,7 +49,9 @@ impl Painter<'_> {
             Mark::Notes(_) => Ok(()),
             Mark::Raster { x, y, values, low, high, tones } => {
                 let cells = raster::Cells { x: *x, y: *y, values, low: *low, high: *high, tones: *tones };
-                self.canvas.image(raster::image(&cells, self.x, self.y, self.plot, self.clip));
+                if let Some(image) = raster::image(&cells, self.x, self.y, self.plot, self.clip) {
+                    self.canvas.image(image);
+                }
                 Ok(())
             }
         }
@@ -66,7 +69,7 @@ impl Painter<'_> {
     fn lines(&mut self, points: &[[f64; 2]], look: &Look) -> Result<(), Failure> {
         let parts: Vec<&[[f64; 2]]> = points.split(|p| !self.drawable(*p)).collect();
         for part in parts {
-            self.chart.draw_series(LineSeries::new(part.iter().map(|p| (p[0], p[1])), look.line()))?;
+            self.chart.draw_series([Curve::new(part.iter().map(|p| (p[0], p[1])), look.line())])?;
         }
         Ok(())
     }
@@ -120,7 +123,7 @@ impl Painter<'_> {
                 let r = (radius * FINE).round() as i32;
                 self.chart.draw_series(seen.iter().map(|at| Circle::new(*at, r, style)))?;
             } else {
-                let corners = marker(look.marker, radius);
+                let corners = corners(look.marker, radius);
                 self.chart
                     .draw_series(seen.iter().map(|at| EmptyElement::at(*at) + Polygon::new(corners.clone(), style)))?;
             }
@@ -146,59 +149,21 @@ impl Painter<'_> {
         let drawable: Vec<[f64; 2]> =
             weights.iter().copied().filter(|p| self.drawable(*p) && self.x.shows(p[0])).collect();
         let pitch = self.pitch(&drawable);
-        let width = (4.4 * look.width).min(0.8 * pitch).max(4.0 * self.sizes.one);
+        let head = (5.5 * look.width).min(pitch).max(5.0 * self.sizes.one);
         let shaft = look.width.min(0.35 * pitch).max(self.sizes.one);
-        let area = self.chart.plotting_area();
-        let ends: Vec<[Place; 2]> = drawable
-            .iter()
-            .filter(|p| p[1] != base)
-            .map(|p| [area.map_coordinate(&(p[0], base)), area.map_coordinate(&(p[0], p[1]))])
-            .collect();
-        self.pointed(&ends, look, shaft, width)?;
+        let tall = drawable.iter().filter(|p| p[1] != base);
+        let ends: Vec<_> = tall.map(|p| [(p[0], base), (p[0], p[1])]).collect();
+        self.chart.draw_series(Arrow::all(&ends, look, Tip { shaft, head }))?;
         // A weight of zero is a dot on the axis: it is there, and it is nothing.
         let none: Vec<[f64; 2]> = drawable.into_iter().filter(|p| p[1] == base).collect();
         self.dots(&none, look, 1.2 * look.width)
     }
 
     fn pointers(&mut self, pointers: &[[[f64; 2]; 2]], look: &Look) -> Result<(), Failure> {
-        let area = self.chart.plotting_area();
         let drawable = pointers.iter().filter(|ends| ends.iter().all(|p| self.drawable(*p)));
-        let ends: Vec<[Place; 2]> = drawable.map(|ends| ends.map(|p| area.map_coordinate(&(p[0], p[1])))).collect();
-        self.canvas.set(With { clip: Some(self.clip), dash: look.dash.clone(), halo: None });
-        self.pointed(&ends, look, 0.85 * look.width, 4.4 * look.width)
-    }
-
-    /// Arrows between places of the picture, heads at most `width` wide and never longer than 0.6 of the arrow.
-    fn pointed(&mut self, ends: &[[Place; 2]], look: &Look, shaft: f64, width: f64) -> Result<(), Failure> {
-        let line = stroke(look.rgb, shaft);
-        let screen = self.chart.plotting_area().strip_coord_spec();
-        let origin = self.chart.plotting_area().get_base_pixel();
-        let local = |(x, y): (f64, f64)| (x.round() as i32 - origin.0, y.round() as i32 - origin.1);
-        let mut heads = Vec::new();
-        for [from, to] in ends {
-            let (dx, dy) = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
-            let length = (dx * dx + dy * dy).sqrt();
-            if length < 1.0 {
-                continue;
-            }
-            let (ux, uy) = (dx / length, dy / length);
-            let head = (1.25 * width * FINE).min(0.6 * length);
-            let half = 0.4 * head;
-            let tip = (f64::from(to.0), f64::from(to.1));
-            let neck = (tip.0 - ux * head, tip.1 - uy * head);
-            let inner = (tip.0 - ux * 0.8 * head, tip.1 - uy * 0.8 * head);
-            heads.push(vec![
-                local(tip),
-                local((neck.0 - uy * half, neck.1 + ux * half)),
-                local(inner),
-                local((neck.0 + uy * half, neck.1 - ux * half)),
-            ]);
-            let start = (from.0 - origin.0, from.1 - origin.1);
-            screen.draw(&PathElement::new(vec![start, local(inner)], line))?;
-        }
-        for head in heads {
-            screen.draw(&Polygon::new(head, filled(look.rgb, 1.0)))?;
-        }
+        let ends: Vec<_> = drawable.map(|ends| ends.map(|p| (p[0], p[1]))).collect();
+        let tip = Tip { shaft: 0.85 * look.width, head: 5.5 * look.width };
+        self.chart.draw_series(Arrow::all(&ends, look, tip))?;
         Ok(())
     }
 
@@ -209,9 +174,9 @@ impl Painter<'_> {
             // On a logarithmic scale an area from zero starts at the bottom.
             let lower = |y: f64| if log && y <= 0.0 { self.y.base() } else { y };
             let upper = part.iter().map(|p| (p[0], lower(p[2])));
-            let outline: Vec<(f64, f64)> = upper.chain(part.iter().rev().map(|p| (p[0], lower(p[1])))).collect();
+            let outline = upper.chain(part.iter().rev().map(|p| (p[0], lower(p[1]))));
             if part.len() > 1 {
-                self.chart.draw_series([Polygon::new(outline, ink(look.rgb, opacity))])?;
+                self.chart.draw_series([Curve::new(outline, filled(look.rgb, opacity))])?;
             }
         }
         Ok(())
@@ -236,15 +201,4 @@ impl Painter<'_> {
         self.chart.draw_series(spans)?;
         Ok(())
     }
-}
-
-/// The corners of a marker about its middle, in hundredths of a unit; all are equally heavy.
-pub(super) fn marker(marker: Marker, radius: f64) -> Vec<Place> {
-    let corners: &[(f64, f64)] = match marker {
-        Marker::Circle => &[],
-        Marker::Square => &[(-0.89, -0.89), (0.89, -0.89), (0.89, 0.89), (-0.89, 0.89)],
-        Marker::Triangle => &[(0.0, -1.28), (1.18, 0.8), (-1.18, 0.8)],
-        Marker::Diamond => &[(0.0, -1.28), (1.28, 0.0), (0.0, 1.28), (-1.28, 0.0)],
-    };
-    corners.iter().map(|(x, y)| ((x * radius * FINE).round() as i32, (y * radius * FINE).round() as i32)).collect()
 }

@@ -4,6 +4,18 @@
 //! PDF are written from that one scene, so that they are the same picture. Nothing outside the program takes part: the
 //! letters are the embedded DejaVu fonts, drawn as outlines. Equal figures give equal bytes.
 //!
+//! What the drawing decides, so that figures need not:
+//!
+//! - Letters have 26 units with one or two panels, 18 with ten and more, on a slide of 1600 × 900. Ticks are thinned
+//!   until their numbers have room; titles and labels that are too long shrink to 18 units, then break at spaces.
+//! - Plots of a column share their margins, and so do those of a row.
+//! - A legend stands in the corner that its panel names; if it would hide data there, in a free corner; if there is
+//!   none, above the plot. Layers of one label share an entry.
+//! - Lines are cut at the frame. Dots beyond it are left out; on it they are whole. Notes are moved into their panel.
+//! - Cells of a raster are whole units: a plot shrinks to the next multiple of its raster. A raster fits well where a
+//!   multiple of its cells is about the room of a square plot: 640 units in one row of one or two columns, 400 in three,
+//!   300 in four, 290 in two rows. Cells below a unit are averaged in linear light.
+//!
 //! ```
 //! use nyquist::figure::{Figure, Layer, Meaning, Panel, Scale};
 //! use nyquist::plot::{Style, draw};
@@ -19,6 +31,7 @@
 
 mod canvas;
 mod chart;
+mod elements;
 mod layout;
 mod legend;
 mod look;
@@ -34,7 +47,7 @@ mod svg;
 mod typeset;
 
 pub use palette::{Rgb, Theme};
-pub use scene::Scene;
+pub use scene::{Label, Scene};
 
 use crate::error::{Error, Result, unknown};
 use crate::figure::Figure;

@@ -33,7 +33,7 @@ impl Scene {
             }
         }
         let rgb: Vec<u8> = easel.pixmap.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
-        encoded((width, height), png::ColorType::Rgb, None, &rgb)
+        encoded((width, height), png::ColorType::Rgb, None, png::Filter::Adaptive, &rgb)
     }
 }
 
@@ -206,14 +206,25 @@ pub(super) fn repeated(image: &Image, least: usize) -> ((u32, u32), Vec<u8>) {
 pub(super) fn enlarged(image: &Image, least: usize) -> Vec<u8> {
     let (size, tones) = repeated(image, least);
     let grey = image.table.iter().enumerate().all(|(i, rgb)| *rgb == [i as u8; 3]);
-    if grey {
-        encoded(size, png::ColorType::Grayscale, None, &tones)
-    } else {
-        encoded(size, png::ColorType::Indexed, Some(image.table.as_flattened().to_vec()), &tones)
-    }
+    let as_is = |filter| {
+        if grey {
+            encoded(size, png::ColorType::Grayscale, None, filter, &tones)
+        } else {
+            encoded(size, png::ColorType::Indexed, Some(image.table.as_flattened().to_vec()), filter, &tones)
+        }
+    };
+    // Which filter serves depends on the picture: flat cells compress best without, smooth ones with.
+    let (plain, filtered) = (as_is(png::Filter::NoFilter), as_is(png::Filter::Adaptive));
+    if plain.len() <= filtered.len() { plain } else { filtered }
 }
 
-fn encoded((width, height): (u32, u32), colour: png::ColorType, palette: Option<Vec<u8>>, data: &[u8]) -> Vec<u8> {
+fn encoded(
+    (width, height): (u32, u32),
+    colour: png::ColorType,
+    palette: Option<Vec<u8>>,
+    filter: png::Filter,
+    data: &[u8],
+) -> Vec<u8> {
     let mut out = Vec::new();
     let mut encoder = png::Encoder::new(&mut out, width.max(1), height.max(1));
     encoder.set_color(colour);
@@ -221,8 +232,8 @@ fn encoded((width, height): (u32, u32), colour: png::ColorType, palette: Option<
     encoder.set_compression(png::Compression::Balanced);
     if let Some(palette) = palette {
         encoder.set_palette(palette);
-        encoder.set_filter(png::Filter::NoFilter);
     }
+    encoder.set_filter(filter);
     let written = encoder.write_header().and_then(|mut writer| {
         writer.write_image_data(data)?;
         writer.finish()

@@ -18,12 +18,16 @@ pub(super) struct Cells<'a> {
     pub tones: Tones,
 }
 
-/// The image of a raster in a panel; its edges lie on whole units, so that its cells can be whole pixels.
-pub(super) fn image(cells: &Cells<'_>, x: &Ruler, y: &Ruler, plot: Frame, clip: usize) -> Image {
+/// The image of a raster in a panel; its edges lie on whole units, so that its cells can be whole pixels. None where it
+/// has no place that coordinates can name.
+pub(super) fn image(cells: &Cells<'_>, x: &Ruler, y: &Ruler, plot: Frame, clip: usize) -> Option<Image> {
     let across = |v: f64| (plot.left + x.part(v) * plot.width() + 0.00137).round();
     let down = |v: f64| (plot.bottom - y.part(v) * plot.height() + 0.00137).round();
     let (left, right) = (across(cells.x.0), across(cells.x.1));
     let (top, bottom) = (down(cells.y.1), down(cells.y.0));
+    if cells.values.is_empty() || [left, right, top, bottom].iter().any(|v| v.is_nan() || v.abs() > 1e6) {
+        return None;
+    }
     let (rows, columns) = cells.values.dim();
     let tone = |v: f64| {
         let part = (v - cells.low) / (cells.high - cells.low);
@@ -41,13 +45,13 @@ pub(super) fn image(cells: &Cells<'_>, x: &Ruler, y: &Ruler, plot: Frame, clip: 
         tones.extend(line.map(tone));
     }
     let corner = |x: f64, y: f64| (fine(x), fine(y));
-    Image {
+    Some(Image {
         corners: (corner(left.min(right), top.min(bottom)), corner(left.max(right), top.max(bottom))),
         cells: (columns, rows),
         tones,
         table: Rc::new(table(cells.tones)),
         clip: Some(clip),
-    }
+    })
 }
 
 /// The room for a panel's plot, made such that units are equal where the panel asks for it, and that the cells of its

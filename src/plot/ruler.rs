@@ -122,17 +122,19 @@ impl Ruler {
         let candidates = (first..first + 4).flat_map(|e| [1.0, 2.0, 5.0].map(|m| (m, e)));
         let mut coarsest = Vec::new();
         for (mantissa, exponent) in candidates {
-            let at = |i: f64| {
-                if exponent < 0 { i * mantissa / power(-exponent) } else { i * mantissa * power(exponent) }
-            };
+            let unit = power(exponent.abs());
+            let at = |i: f64| if exponent < 0 { i * mantissa / unit } else { i * mantissa * unit };
             let step = at(1.0);
             let (a, b) = ((least / step - 1e-9).ceil(), (most / step + 1e-9).floor());
             let count = (b - a).max(-1.0) as usize + 1;
-            let values: Vec<f64> = (0..count.min(200)).map(|i| at(a + i as f64)).collect();
-            let ticks = labelled(&values, exponent, room.lang);
-            if ticks.len() < 2 {
+            if count < 2 {
                 break;
             }
+            if count > 3 * room.most {
+                continue; // far too many, and labels cost time
+            }
+            let values: Vec<f64> = (0..count).map(|i| at(a + i as f64)).collect();
+            let ticks = labelled(&values, exponent, room.lang);
             if ticks.len() <= room.most && self.fit(&ticks, room) {
                 return ticks;
             }
@@ -170,7 +172,7 @@ impl Ruler {
         } else {
             let plain = (-2..=3).contains(&first) && (-2..=4).contains(&last);
             let label = |e: i32| {
-                if plain { short(scaled(1.0, e), room.lang) } else { format!("10^{{{}}}", e).replace('-', "−") }
+                if plain { short(scaled(1.0, e), room.lang) } else { format!("10^{{{e}}}").replace('-', "−") }
             };
             let every = |stride: i32| -> Vec<(f64, String)> {
                 let shown = (first..=last).filter(|e| e.rem_euclid(stride) == 0);
@@ -208,21 +210,33 @@ fn scaled(mantissa: f64, exponent: i32) -> f64 {
     format!("{mantissa}e{exponent}").parse().expect("a number in scientific notation can be read")
 }
 
-/// A number with as few digits as say it, for a reader of `lang`.
+/// A number with as few digits as say it, for a reader of `lang`; five digits and more stand in groups of three.
 fn short(value: f64, lang: Lang) -> String {
-    let digits = if value == 0.0 { "0".to_owned() } else { value.to_string() };
-    let minus = digits.replace('-', "−");
-    if lang == Lang::Ru { minus.replace('.', ",") } else { minus }
+    let digits = value.abs().to_string();
+    let (whole, part) = digits.split_once('.').unwrap_or((&digits, ""));
+    let mut out = if value < 0.0 { "−".to_owned() } else { String::new() };
+    for (i, digit) in whole.char_indices() {
+        if i > 0 && whole.len() > 4 && (whole.len() - i) % 3 == 0 {
+            out.push('\u{2009}');
+        }
+        out.push(digit);
+    }
+    if !part.is_empty() {
+        out.push(if lang == Lang::Ru { ',' } else { '.' });
+        out.push_str(part);
+    }
+    out
 }
 
 /// Labels for multiples of a step of the order `10^exponent`.
 fn labelled(values: &[f64], exponent: i32, lang: Lang) -> Vec<(f64, String)> {
     let most = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    let common = if most >= 1e5 || (most > 0.0 && most < 1e-3) { most.log10().floor() as i32 } else { 0 };
+    let common = if most >= 1e6 || (most > 0.0 && most < 1e-3) { most.log10().floor() as i32 } else { 0 };
     let decimals = (common - exponent).max(0) as usize;
+    let unit = power(common.abs());
     let label = |v: f64| {
         // Rounded to what the step needs, then as short as that number is.
-        let part = if common >= 0 { v / power(common) } else { v * power(-common) };
+        let part = if common >= 0 { v / unit } else { v * unit };
         let rounded: f64 = format!("{part:.decimals$}").parse().expect("a plain number can be read back");
         let digits = short(rounded + 0.0, lang);
         match common {
@@ -258,5 +272,73 @@ impl ValueFormatter<f64> for Ruler {
     fn format_ext(&self, value: &f64) -> String {
         let tick = self.ticks.iter().find(|t| t.0 == *value);
         tick.map(|t| t.1.clone()).unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(scale: &Scale, length: f64, lang: Lang) -> Vec<String> {
+        let takes = |label: &str| 14.0 * label.chars().count() as f64 + 14.0;
+        let ruler = Ruler::new(scale, &Room { length, takes: &takes, most: 9, lang });
+        ruler.ticks.into_iter().map(|t| t.1).collect()
+    }
+
+    fn linear(low: f64, high: f64) -> Scale {
+        Scale::linear(Text::EMPTY, low, high)
+    }
+
+    #[test]
+    fn numbers_have_the_digits_that_their_step_needs() {
+        assert_eq!(labels(&linear(-1.2, 1.2), 600.0, Lang::En), ["−1", "−0.5", "0", "0.5", "1"]);
+        assert_eq!(labels(&linear(0.0, 0.7), 800.0, Lang::Ru), ["0", "0,1", "0,2", "0,3", "0,4", "0,5", "0,6", "0,7"]);
+        assert_eq!(
+            labels(&linear(0.0, 30000.0), 400.0, Lang::En),
+            ["0", "10\u{2009}000", "20\u{2009}000", "30\u{2009}000"]
+        );
+        assert_eq!(
+            labels(&linear(-2e-7, 2e-7), 900.0, Lang::Ru),
+            ["−2·10^{−7}", "−10^{−7}", "0", "10^{−7}", "2·10^{−7}"]
+        );
+        assert_eq!(labels(&linear(0.0, 4e9), 700.0, Lang::En), ["0", "10^{9}", "2·10^{9}", "3·10^{9}", "4·10^{9}"]);
+    }
+
+    #[test]
+    fn less_room_gives_fewer_ticks_and_no_room_still_one() {
+        assert_eq!(labels(&linear(-4.0, 4.0), 200.0, Lang::En), ["−4", "−2", "0", "2", "4"]);
+        assert_eq!(labels(&linear(-4.0, 4.0), 100.0, Lang::En), ["−4", "4"]);
+        assert_eq!(labels(&linear(-4.0, 4.0), 20.0, Lang::En).len(), 1);
+    }
+
+    #[test]
+    fn decades_are_thinned_evenly_and_few_are_divided() {
+        let decades = |low, high, length| labels(&Scale::log(Text::EMPTY, low, high), length, Lang::En);
+        assert_eq!(decades(1e-16, 10.0, 700.0), ["10^{−15}", "10^{−10}", "10^{−5}", "10^{0}"]);
+        assert_eq!(decades(0.1, 1000.0, 600.0), ["0.1", "1", "10", "100", "1000"]);
+        assert_eq!(decades(0.5, 8.0, 600.0), ["0.5", "1", "2", "5"]);
+        assert_eq!(decades(200.0, 900.0, 600.0), ["200", "500"]);
+    }
+
+    #[test]
+    fn ticks_of_ones_own_are_kept_where_there_is_room() {
+        let own = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|v| (v, Text::of(format!("{v}/T"), format!("{v}/T"))));
+        let scale = linear(-2.0, 2.0).ticks(own);
+        assert_eq!(labels(&scale, 600.0, Lang::En), ["−2/T", "−1/T", "0/T", "1/T", "2/T"]);
+        assert_eq!(
+            labels(&scale, 200.0, Lang::En),
+            ["−2/T", "0/T", "2/T"],
+            "even ones are thinned evenly, around zero"
+        );
+    }
+
+    #[test]
+    fn a_place_is_where_its_value_lies_also_in_reverse_and_in_decades() {
+        let room = Room { length: 100.0, takes: &|_| 1.0, most: 9, lang: Lang::En };
+        let at = |scale: Scale, v: f64| Ruler::new(&scale, &room).part(v);
+        assert_eq!(at(linear(2.0, 4.0), 3.0), 0.5);
+        assert_eq!(at(linear(4.0, 2.0), 3.5), 0.25);
+        assert!((at(Scale::log(Text::EMPTY, 1.0, 100.0), 10.0) - 0.5).abs() <= 2.0 * f64::EPSILON);
+        assert_eq!(at(Scale::log(Text::EMPTY, 1.0, 100.0), 0.0), f64::NEG_INFINITY);
     }
 }

@@ -4,7 +4,7 @@
 //! starts from the same numbers and no format can round differently from another.
 
 use super::palette::Rgb;
-use super::typeset::Line;
+use super::typeset::{EM, Line, Segment, outline};
 use crate::text::Lang;
 use std::rc::Rc;
 
@@ -144,5 +144,59 @@ impl Scene {
     /// The width and height in units: pixels of the PNG at scale 1, user units of the SVG.
     pub fn size(&self) -> (u32, u32) {
         self.size
+    }
+}
+
+/// A line of text as it stands in the picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Label {
+    /// What it says, with its markup.
+    pub text: String,
+    /// The least rectangle around its ink, `[left, top, right, bottom]` in units.
+    pub ink: [f64; 4],
+    /// How large its letters are, in units.
+    pub size: f64,
+    /// Whether it is a note among the data; all others stand in the margins or in legends.
+    pub note: bool,
+    /// Whether one of its letters is in none of the fonts.
+    pub incomplete: bool,
+}
+
+impl Label {
+    /// Whether the ink of two labels overlaps.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        let (a, b) = (self.ink, other.ink);
+        a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
+    }
+}
+
+impl Scene {
+    /// All text of the picture: what a test looks at to know that nothing is clipped, collides or lacks a letter.
+    pub fn labels(&self) -> Vec<Label> {
+        let words = self.ops.iter().filter_map(|op| if let Op::Words(words) = op { Some(words) } else { None });
+        words.filter_map(Words::label).collect()
+    }
+}
+
+impl Words {
+    fn label(&self) -> Option<Label> {
+        let em = f64::from(self.size) / f64::from(EM) / FINE;
+        let mut ink = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+        for glyph in &self.line.glyphs {
+            for segment in outline(glyph.face, glyph.id) {
+                let (Segment::Move(x, y) | Segment::Line(x, y) | Segment::Curve(_, _, x, y)) = segment else {
+                    continue;
+                };
+                let on = |at: i32, v: i32| (f64::from(at) + f64::from(glyph.size) / 1000.0 * f64::from(v)) * em;
+                let (along, up) = (on(glyph.x, x), on(glyph.y, y));
+                let (dx, dy) = if self.upright { (-up, -along) } else { (along, -up) };
+                let (x, y) = (f64::from(self.at.0) / FINE + dx, f64::from(self.at.1) / FINE + dy);
+                ink = [ink[0].min(x), ink[1].min(y), ink[2].max(x), ink[3].max(y)];
+            }
+        }
+        let incomplete = self.line.glyphs.iter().any(|g| g.id == 0);
+        let seen = ink[0] <= ink[2];
+        let (text, size) = (self.line.text.clone(), f64::from(self.size) / FINE);
+        seen.then(|| Label { text, ink, size, note: self.halo.is_some(), incomplete })
     }
 }

@@ -119,3 +119,43 @@ fn off(p: Place, a: Place, b: Place) -> f64 {
     let across = px * by - py * bx;
     across * across / length
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BOX: Option<(Place, Place)> = Some(((0, 0), (100, 100)));
+
+    #[test]
+    fn a_line_is_cut_where_it_crosses_and_comes_back_as_a_part_of_its_own() {
+        let points = [(-50, 50), (50, 50), (50, 150), (70, 150), (70, 50)];
+        assert_eq!(clipped(&points, BOX), [vec![(0, 50), (50, 50), (50, 100)], vec![(70, 100), (70, 50)]]);
+        assert_eq!(clipped(&[(-10, -10), (-10, 200)], BOX), Vec::<Vec<Place>>::new());
+        assert_eq!(clipped(&points, None), [points.to_vec()]);
+    }
+
+    #[test]
+    fn an_area_is_cut_to_the_part_inside() {
+        let area = clipped_area(&[(50, -100_000_000), (150, 50), (50, 100_000_000), (-50, 50)], BOX);
+        assert!(area.iter().all(|p| (0..=100).contains(&p.0) && (0..=100).contains(&p.1)));
+        assert!(clipped_area(&[(200, 200), (300, 200), (300, 300)], BOX).is_empty());
+    }
+
+    #[test]
+    fn points_that_nobody_sees_are_left_out() {
+        let straight: Vec<Place> = (0..1000).map(|i| (i, 2 * i + i % 3)).collect();
+        assert_eq!(simplified(&straight), [(0, 0), (999, 1998)]);
+        let circle: Vec<Place> = (0..=3600)
+            .map(|i| f64::from(i) / 3600.0 * std::f64::consts::TAU)
+            .map(|t| ((10_000.0 * t.cos()).round() as i32, (10_000.0 * t.sin()).round() as i32))
+            .collect();
+        let kept = simplified(&circle);
+        // A chord that is 5 off its arc of radius 10 000 spans 2·arccos(1 − 5/10 000) = 0.0632: 100 would do, and
+        // halving takes at most twice as many.
+        assert!((100..200).contains(&kept.len()), "{}", kept.len());
+        for p in &circle {
+            let nearest = kept.windows(2).map(|w| off(*p, w[0], w[1])).fold(f64::INFINITY, f64::min);
+            assert!(nearest <= TOLERANCE * TOLERANCE);
+        }
+    }
+}

@@ -64,6 +64,8 @@ pub(super) struct Glyph {
 /// A line of text, set.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(super) struct Line {
+    /// What was set, with its markup.
+    pub text: String,
     pub glyphs: Vec<Glyph>,
     /// How far it advances, in font units.
     pub width: i32,
@@ -82,7 +84,8 @@ pub(super) fn line(text: &str, face: Face) -> Rc<Line> {
         if set.len() >= MOST {
             set.clear();
         }
-        let mut pen = Pen { face, x: 0.0, line: Line::default() };
+        let line = Line { text: text.to_owned(), ..Line::default() };
+        let mut pen = Pen { face, x: 0.0, line };
         pen.set(&parse(text), 0.0, 1.0);
         pen.line.width = pen.x.round() as i32;
         let line = Rc::new(pen.line);
@@ -324,4 +327,85 @@ pub(super) fn outline(face: Face, id: u16) -> Vec<Segment> {
     let mut collect = Collect(Vec::new());
     face.font().outline_glyph(GlyphId(id), &mut collect);
     collect.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The leftmost and rightmost point of a line's ink, in font units.
+    fn ink(line: &Line) -> (f64, f64) {
+        let mut ends = (f64::INFINITY, f64::NEG_INFINITY);
+        for glyph in &line.glyphs {
+            for segment in outline(glyph.face, glyph.id) {
+                if let Segment::Move(x, _) | Segment::Line(x, _) | Segment::Curve(_, _, x, _) = segment {
+                    let x = f64::from(glyph.x) + f64::from(glyph.size) / 1000.0 * f64::from(x);
+                    ends = (ends.0.min(x), ends.1.max(x));
+                }
+            }
+        }
+        ends
+    }
+
+    #[test]
+    fn every_letter_of_the_lecture_has_a_glyph() {
+        let letters = "AZaz09 АЯЁаяё ΑΩαω «»—–−·×÷±≈≠≤≥∞∫∑∏∂∇√∗⊗⊕⋆⇔⇒→↔⟨⟩‖⌊⌋∈∉ℝℤℂ½¼²³ⁿ₀₁Ш_{1/T} f\u{303} f\u{302} x\u{304} 10^{−15} 1\u{2009}000";
+        for face in [Face::Regular, Face::Bold, Face::Oblique] {
+            let line = line(letters, face);
+            assert!(line.glyphs.iter().all(|g| g.id != 0), "{face:?}: a letter without a glyph");
+        }
+        assert!(line("\u{E000}", Face::Regular).glyphs.iter().any(|g| g.id == 0), "a missing one would be found");
+    }
+
+    #[test]
+    fn measured_widths_are_those_of_the_ink() {
+        // Side bearings of DejaVu are below 0.13 em; the ink may not leave the measured width by more.
+        let bearing = 0.13 * f64::from(EM);
+        for text in ["Спектр отсчётов", "reconstruction f\u{303}(x)", "Ш_{1/T}", "10^{−15}", "x_{i}^{2} + y_{j_{k}}"]
+        {
+            for face in [Face::Regular, Face::Bold] {
+                let line = line(text, face);
+                let (left, right) = ink(&line);
+                assert!((-bearing..=bearing).contains(&left), "{text}: ink starts at {left}");
+                assert!((f64::from(line.width) - right).abs() <= bearing, "{text}: {} but ink to {right}", line.width);
+            }
+        }
+    }
+
+    #[test]
+    fn combining_marks_sit_on_their_letter() {
+        let (with, without) = (line("f\u{303}", Face::Regular), line("f", Face::Regular));
+        assert_eq!(with.width, without.width);
+    }
+
+    #[test]
+    fn scripts_are_smaller_raised_and_stacked() {
+        let line = line("a_{b}^{c}^{d^{e}}", Face::Regular);
+        let of = |i: usize| (line.glyphs[i].size, line.glyphs[i].y.signum());
+        assert_eq!([of(0), of(1), of(2), of(3)], [(1000, 0), (700, -1), (700, 1), (700, 1)]);
+        assert_eq!(line.glyphs[1].x, line.glyphs[2].x, "a subscript and a superscript stand above each other");
+        assert!(line.glyphs[3].x > line.glyphs[2].x);
+        assert_eq!(line.glyphs[4].size, 490);
+        assert!(line.glyphs[4].y > line.glyphs[3].y);
+    }
+
+    #[test]
+    fn markup_that_is_not_closed_is_text() {
+        assert_eq!(parse("a_{b"), [Item::Letters("a_{b".into())]);
+        assert_eq!(parse("a_b^2}"), [Item::Letters("a_b^2}".into())]);
+        assert_eq!(plain("Ш_{1/T} и x^{2}"), "Ш_(1/T) и x^2");
+    }
+
+    #[test]
+    fn text_is_shrunk_before_it_is_broken_and_never_below_the_least() {
+        let text = "the spectrum of the samples repeats";
+        let natural = width(text, Face::Regular, 24.0);
+        assert_eq!(fit(text, Face::Regular, 24.0, 18.0, natural + 1.0), (text.to_owned(), 24.0));
+        let (same, size) = fit(text, Face::Regular, 24.0, 18.0, 0.9 * natural);
+        assert!(same == text && (21.0..22.0).contains(&size));
+        let (broken, size) = fit(text, Face::Regular, 24.0, 18.0, 0.5 * natural);
+        assert!(size == 18.0 && broken.lines().count() == 2 && width(&broken, Face::Regular, size) <= 0.5 * natural);
+        let lines: Vec<f64> = broken.lines().map(|l| width(l, Face::Regular, size)).collect();
+        assert!((lines[0] - lines[1]).abs() < 0.35 * lines[0], "lines of even length: {lines:?}");
+    }
 }

@@ -1,7 +1,8 @@
 //! Bins: the discrete spectrum of samples.
 
 use crate::axis::Axis;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, positive};
+use crate::spectrum::low_pass;
 use num_complex::Complex;
 
 /// Samples of a spectrum: `F(ν_k)` at the frequencies of [`Bins::axis`], which rise and have zero at index `n/2`.
@@ -71,5 +72,28 @@ impl Bins {
     pub fn near(&self, nu: f64) -> Complex<f64> {
         let k = self.axis().index_of(nu).round() as i64;
         self.values[k.rem_euclid(self.values.len() as i64) as usize]
+    }
+
+    /// The bins after the ideal low-pass: kept below `cutoff`, halved exactly at it, zero above. With [`inverse`] it is
+    /// the digital prefilter that a lower rate asks for; the record is taken to be periodic.
+    ///
+    /// ```
+    /// use nyquist::prelude::*;
+    /// let both = Sum(Cosine::new(1.0)?, Cosine::new(3.0)?);
+    /// let axis = Axis::nodes(0.0..1.0, 16)?;
+    /// let low = inverse(&forward(&Samples::of(&both, axis)).low_passed(2.0)?);
+    /// let slow = Samples::of(&Cosine::new(1.0)?, axis);
+    /// assert!(low.values().iter().zip(slow.values()).all(|(a, b)| (a - b).abs() < 1e-15));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// [`inverse`]: crate::sampled::dft::inverse
+    ///
+    /// # Errors
+    /// A cut-off that is not positive and finite.
+    pub fn low_passed(&self, cutoff: f64) -> Result<Self> {
+        positive("the cut-off frequency", cutoff)?;
+        let passed = self.axis().iter().zip(&self.values).map(|(nu, v)| v * low_pass(nu, cutoff));
+        Ok(Self::trusted(self.space, passed.collect()))
     }
 }

@@ -4,6 +4,8 @@ mod bins;
 pub mod convolution;
 pub mod dft;
 pub mod dtft;
+pub mod nonuniform;
+pub mod occupied;
 pub mod power;
 mod samples;
 pub mod window;

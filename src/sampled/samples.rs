@@ -56,4 +56,26 @@ impl Samples {
     pub fn points(&self) -> impl ExactSizeIterator<Item = [f64; 2]> + '_ {
         self.axis.iter().zip(&self.values).map(|(x, &v)| [x, v])
     }
+
+    /// Every `n`-th sample, the first among them: the rate lowered without a filter, so that whatever stands above the
+    /// new Nyquist frequency folds.
+    ///
+    /// ```
+    /// use nyquist::prelude::*;
+    /// let samples = Samples::new(Axis::new(0.0, 0.5, 5)?, vec![1.0, 2.0, 3.0, 4.0, 5.0])?;
+    /// let half = samples.decimated(2)?;
+    /// assert_eq!((half.axis().step(), half.values()), (1.0, &[1.0, 3.0, 5.0][..]));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// An `n` of zero; a step that overflows.
+    pub fn decimated(&self, n: usize) -> Result<Self> {
+        if n == 0 {
+            return Err(Error::TooFew { what: "samples to take one of", least: 1, got: 0 });
+        }
+        let values: Vec<f64> = self.values.iter().step_by(n).copied().collect();
+        let axis = Axis::new(self.axis.start(), self.axis.step() * n as f64, values.len())?;
+        Ok(Self { axis: axis.in_unit(self.axis.unit()), values })
+    }
 }

@@ -9,9 +9,11 @@ pub mod lecture;
 pub mod raised_cosine;
 pub mod series;
 pub mod sinc;
+pub mod spline;
 pub mod tent;
 pub mod theorem;
 pub mod tone;
+pub mod trigonometric;
 
 use crate::spectrum::Spectrum;
 

@@ -7,7 +7,7 @@ use nyquist::prelude::*;
 use std::f64::consts::{PI, TAU};
 
 fn resolved(f: impl Fn(f64) -> f64, interval: std::ops::Range<f64>, tolerance: f64) -> Resolved {
-    match resolve(&from_fn(f), interval, tolerance).unwrap() {
+    match resolve(&from_fn(f), interval, tolerance).expect("a good interval") {
         Resolution::Resolved(resolved) => resolved,
         other => panic!("not resolved: {other:?}"),
     }
@@ -97,11 +97,12 @@ fn constants_and_nothing_at_all_need_one_sample() {
 
 #[test]
 fn jumps_kinks_and_noise_never_are() {
-    let unresolved =
-        |f: fn(f64) -> f64, tolerance| match resolve_up_to(&from_fn(f), 0.0..1.0, tolerance, 1 << 16).unwrap() {
-            Resolution::Unresolved { samples, level } => assert!(samples == 1 << 16 && level > tolerance),
-            other => panic!("{other:?}"),
-        };
+    let unresolved = |f: fn(f64) -> f64, tolerance| match resolve_up_to(&from_fn(f), 0.0..1.0, tolerance, 1 << 16)
+        .expect("a good interval")
+    {
+        Resolution::Unresolved { samples, level } => assert!(samples == 1 << 16 && level > tolerance),
+        other => panic!("{other:?}"),
+    };
     for tolerance in [0.1, 1e-2, 1e-4, 1e-8] {
         unresolved(|x| if (x - 0.4).abs() < 0.2 { 1.0 } else { 0.0 }, tolerance); // at simple fractions
         unresolved(|x| (x - 0.4).signum() * (TAU * x).sin() + (x * 6.0).floor() % 2.0, tolerance);
@@ -118,7 +119,7 @@ fn ends_that_do_not_meet_are_told_at_once() {
         asked.set(asked.get() + 1);
         x.exp()
     });
-    let Resolution::Open { jump } = resolve(&f, 0.0..1.0, 1e-10).unwrap() else { panic!() };
+    let Resolution::Open { jump } = resolve(&f, 0.0..1.0, 1e-10).expect("a good interval") else { panic!() };
     assert!((jump - (1f64.exp() - 1.0)).abs() < 1e-15);
     assert!(asked.get() < 1000);
 }

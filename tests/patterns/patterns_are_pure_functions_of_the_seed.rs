@@ -36,7 +36,7 @@ fn the_same_bits_in_every_version() {
     };
     let found: Vec<String> =
         catalog::names().filter(|name| *name != "blue-noise").map(|n| format!("{n} {:016x}", print(n))).collect();
-    let known: Vec<&str> = include_str!("data/pattern_bits.txt").lines().collect();
+    let known: Vec<&str> = include_str!("bits.txt").lines().collect();
     assert_eq!(found, known, "{}", found.join("\n"));
 }
 

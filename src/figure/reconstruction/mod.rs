@@ -1,0 +1,10 @@
+//! Reconstruction: the ideal low-pass in frequency and in space, its problems, and the whole chain.
+
+pub mod cardinal;
+pub mod low_pass;
+pub mod overview;
+
+use crate::figure::Entry;
+
+/// The families of this chapter, in its order.
+pub static FAMILIES: &[&[Entry]] = &[low_pass::ENTRIES, cardinal::ENTRIES, overview::ENTRIES];

@@ -1,0 +1,9 @@
+//! Applied to image synthesis: where aliasing comes from.
+
+pub mod gibbs;
+pub mod sources;
+
+use crate::figure::Entry;
+
+/// The families of this chapter, in its order.
+pub static FAMILIES: &[&[Entry]] = &[gibbs::ENTRIES, sources::ENTRIES];

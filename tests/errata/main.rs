@@ -1,0 +1,19 @@
+//! The mistakes of the lecture and of its sources: each as printed, failing, and as it should be, holding.
+
+mod e01_e02_the_table_of_pairs;
+mod e03_e04_e10_gain_and_arguments;
+mod e05_one_half_at_the_edge;
+mod e06_e34_e35_kernels_scale_with_the_step;
+mod e07_copies_overlap_when_the_step_is_not_small_enough;
+mod e08_equality_suffices_for_a_density_and_not_for_a_line;
+mod e09_half_the_rate_is_a_supremum_that_is_not_attained;
+mod e11_independent_points_make_white_noise_and_only_jitter_pushes_it_up;
+mod e12_irregular_samples_restore_the_signal;
+mod e15_e16_what_rings_and_how_much;
+mod e17_groups_of_strata_need_four_samples_and_not_1024;
+mod e19_e20_deltas_and_copies;
+mod e21_edges_have_no_infinite_frequencies;
+mod e30_e31_drawings_of_the_source;
+mod e32_the_noise_of_jitter_has_its_zeros_at_multiples_of_the_rate;
+mod e33_the_power_of_a_product_is_not_the_convolution_of_the_powers;
+mod e36_the_nyquist_rate_belongs_to_a_signal_and_the_nyquist_frequency_to_a_rate;

@@ -1,0 +1,52 @@
+//! What figures claim holds for every value of their parameters, not only for the defaults: tried at both ends of every
+//! range, at every choice, and at a value inside.
+
+use nyquist::figure::catalog;
+use nyquist::figure::params::{Kind, Param, Params};
+
+/// The values at which a parameter is tried.
+fn values(param: &Param) -> Vec<String> {
+    match param.kind {
+        Kind::Real { low, high, .. } => [low, high, 0.63 * low + 0.37 * high].map(|v| v.to_string()).into(),
+        Kind::Count { low, high, .. } => [low, high, (2 * low + high) / 3].map(|v| v.to_string()).into(),
+        Kind::Choice(of) => of.iter().map(|v| (*v).to_owned()).collect(),
+    }
+}
+
+fn tried(ids: &[&str]) {
+    for entry in catalog::all().into_iter().filter(|e| ids.iter().any(|id| e.id.starts_with(id))) {
+        for param in entry.params {
+            for value in values(param) {
+                let set = Params::with(entry.params, [(param.name, value.as_str())]).expect("within the range");
+                let figure = (entry.build)(&set).unwrap_or_else(|e| panic!("{} {}={value}: {e}", entry.id, param.name));
+                for claim in &figure.claims {
+                    let r = &claim.residual;
+                    assert!(
+                        r.holds(),
+                        "{} with {} = {value}: {}: measured {:e}, allowed {:e}",
+                        entry.id,
+                        param.name,
+                        r.law,
+                        r.measured,
+                        r.bound
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn of_stochastic_and_adaptive_sampling() {
+    tried(&["f37", "f38", "f39", "f41"]);
+}
+
+#[test]
+fn of_edges_and_filters() {
+    tried(&["f48", "f55", "f57"]);
+}
+
+#[test]
+fn of_what_goes_beyond_the_lecture() {
+    tried(&["x-"]);
+}

@@ -1,0 +1,17 @@
+//! One theorem a file, its sentences as names, its oracle outside the library.
+
+mod a_band_far_from_zero_needs_little_more_than_twice_its_width;
+mod a_jittered_tone_fades_into_white_noise;
+mod adaptive_sampling_resolves_a_function_or_says_that_it_does_not;
+mod fourier_sums_overshoot_by_nine_percent;
+mod frequencies_fold_at_half_the_rate;
+mod holds_shutters_and_taps_have_their_transfers;
+mod kernel_metrics_are_those_of_the_table;
+mod kernel_responses_are_transforms_of_their_values;
+mod kernels_claim_what_is_true_and_nothing_less;
+mod n_points_integrate_all_degrees_below_n;
+mod positions_may_stray_by_less_than_a_quarter_of_the_step;
+mod reconstruction_closes_the_square;
+mod sampled_steps_ring_by_a_closed_form;
+mod slopes_or_pairs_halve_the_rate;
+mod truncated_cardinal_series_err_as_bounded;
