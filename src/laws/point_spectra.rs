@@ -19,14 +19,14 @@ use crate::text::Text;
 /// What the expected periodogram of a pattern is made of at one frequency: independent displacements with characteristic
 /// function `φ` keep `φ²` of the lines, and `1 − φ²` is noise.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Spectrum {
+pub enum Model {
     /// Jitter of that width in a grid of that many cells: `φ = sinc(au/m)·sinc(av/n)`, lines at the multiples of `m`, `n`.
     Jittered([usize; 2], f64),
     /// Independent points: one everywhere but at zero.
     White,
 }
 
-impl Spectrum {
+impl Model {
     /// Noise and `φ²` of a line, if there is one, at integer frequencies.
     pub fn at(&self, [u, v]: [i64; 2]) -> [f64; 2] {
         match *self {
@@ -48,7 +48,7 @@ impl Spectrum {
 ///
 /// # Errors
 /// No patterns, or too far a reach.
-pub fn point_spectrum(pattern: &dyn Pattern<2>, model: Spectrum, patterns: u32, reach: usize) -> Result<Residual> {
+pub fn point_spectrum(pattern: &dyn Pattern<2>, model: Model, patterns: u32, reach: usize) -> Result<Residual> {
     let found = Periodogram::mean(pattern, 11, patterns, reach)?;
     let n = found.points();
     let z = deviations(found.half().count());
@@ -136,7 +136,7 @@ fn random(n: usize) -> Random {
     Random::new(n).expect("there are points")
 }
 
-fn spectrum_of(pattern: &dyn Pattern<2>, model: Spectrum, patterns: u32) -> Residual {
+fn spectrum_of(pattern: &dyn Pattern<2>, model: Model, patterns: u32) -> Residual {
     point_spectrum(pattern, model, patterns, 20).expect("there are patterns")
 }
 
@@ -156,20 +156,20 @@ pub static LAWS: &[Law] = &[
         ),
         holds: || {
             vec![
-                spectrum_of(&regular(), Spectrum::Jittered([8, 8], 0.0), 1),
-                spectrum_of(&regular().with_random_offset(), Spectrum::Jittered([8, 8], 0.0), 20),
-                spectrum_of(&jittered([8, 8], 1.0), Spectrum::Jittered([8, 8], 1.0), 400),
-                spectrum_of(&jittered([8, 8], 0.5), Spectrum::Jittered([8, 8], 0.5), 400),
-                spectrum_of(&jittered([12, 5], 0.8), Spectrum::Jittered([12, 5], 0.8), 400),
-                spectrum_of(&random(64), Spectrum::White, 400),
+                spectrum_of(&regular(), Model::Jittered([8, 8], 0.0), 1),
+                spectrum_of(&regular().with_random_offset(), Model::Jittered([8, 8], 0.0), 20),
+                spectrum_of(&jittered([8, 8], 1.0), Model::Jittered([8, 8], 1.0), 400),
+                spectrum_of(&jittered([8, 8], 0.5), Model::Jittered([8, 8], 0.5), 400),
+                spectrum_of(&jittered([12, 5], 0.8), Model::Jittered([12, 5], 0.8), 400),
+                spectrum_of(&random(64), Model::White, 400),
             ]
         },
         breaks: || {
             vec![
-                spectrum_of(&random(64), Spectrum::Jittered([8, 8], 1.0), 400), // E11
-                spectrum_of(&jittered([8, 8], 1.0), Spectrum::White, 400),
-                spectrum_of(&jittered([8, 8], 0.5), Spectrum::Jittered([8, 8], 1.0), 400),
-                spectrum_of(&NRooks::new(64).expect("there are points"), Spectrum::White, 400), // low on the axes
+                spectrum_of(&random(64), Model::Jittered([8, 8], 1.0), 400), // E11
+                spectrum_of(&jittered([8, 8], 1.0), Model::White, 400),
+                spectrum_of(&jittered([8, 8], 0.5), Model::Jittered([8, 8], 1.0), 400),
+                spectrum_of(&NRooks::new(64).expect("there are points"), Model::White, 400), // low on the axes
             ]
         },
     },

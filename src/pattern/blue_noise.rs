@@ -3,7 +3,7 @@
 use crate::error::{Error, Result, within};
 use crate::num::random::{below, bits, uniform};
 use crate::pattern::cells::within_cell;
-use crate::pattern::void_cluster::{BLOCK, Order, order};
+use crate::pattern::void_cluster::{BLOCK, Gaussian, Order, order};
 use crate::pattern::{Pattern, countable};
 
 /// A square of ranks whose every level is a blue-noise pattern: for any `k` the cells of rank below `k` are `k` dots as far
@@ -48,7 +48,7 @@ impl Tile {
             });
         }
         let mut ranks = vec![0; side * side];
-        let wanted = Order { side, dots: side * side / 10, sigma: 1.5, whole: true }; // Ulichney's
+        let wanted = Order { side, dots: side * side / 10, gaussian: Gaussian::ULICHNEY, whole: true };
         for (cell, rank) in order(wanted, seed).into_iter().zip(0..) {
             ranks[cell as usize] = rank;
         }
@@ -73,8 +73,8 @@ impl Tile {
 
 /// Points in cells chosen by void and cluster, one random place in each.
 ///
-/// The noise at low frequencies is less than half of that of a Poisson disk pattern (0.03 around zero), the number of points
-/// is exactly the one asked for, and every beginning of the pattern is blue noise, too (down to a tenth; fewer do not see
+/// The noise around zero frequency is half of that of a Poisson disk pattern (0.03), the number of points is exactly the
+/// one asked for, and every beginning of the pattern is blue noise, too (down to a tenth; fewer do not see
 /// each other). The cells are a sixteenth of the share of a point, and chosen once, at construction, in about 6 µs a
 /// point; a seed shifts the pattern on the torus and draws the places in the cells.
 ///
@@ -111,7 +111,7 @@ impl BlueNoise {
         let side = (4.0 * (count as f64).sqrt() / BLOCK as f64).ceil() as usize * BLOCK;
         let side = side.max(2 * BLOCK);
         // half the distance of neighbours, which are four cells apart: the least noise at low frequencies
-        let wanted = Order { side, dots: count, sigma: 2.0, whole: false };
+        let wanted = Order { side, dots: count, gaussian: Gaussian::WIDE, whole: false };
         Ok(Self { side, cells: order(wanted, 0) })
     }
 }

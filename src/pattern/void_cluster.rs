@@ -3,8 +3,30 @@
 use crate::num::random::bits;
 use crate::pattern::permutation::permutation;
 
-/// Where the Gaussian ends, in standard deviations: `e^{−6.66²/2}` is the `2⁻³²` in which it is counted.
-const ENDS: f64 = 6.66;
+/// The Gaussian `q^{d²}` by which crowding is measured, at whole distances `d`.
+///
+/// Given by `q = e^{−1/2σ²}` and its powers, not by the exponential function, whose last bits differ between machines.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Gaussian {
+    decay: f64,
+    radius: i64,
+}
+
+impl Gaussian {
+    /// `σ = 1.5` cells (Ulichney 1993), to `2⁻³²` of its height.
+    pub(crate) const ULICHNEY: Self = Self { decay: 0.800_737_402_916_808, radius: 10 };
+
+    /// `σ = 2` cells, to `2⁻³²` of its height.
+    pub(crate) const WIDE: Self = Self { decay: 0.882_496_902_584_595_4, radius: 13 };
+
+    /// The Gaussian around a dot, in rows, as whole numbers of `2⁻³²`, sixteen bits up.
+    fn table(&self) -> Vec<Vec<u64>> {
+        let side: Vec<f64> =
+            (-self.radius..=self.radius).map(|d| (0..d * d).fold(1.0, |power, _| power * self.decay)).collect();
+        let cell = |y: f64, x: f64| ((y * x * (1u64 << 32) as f64).round() as u64) << 16;
+        side.iter().map(|&y| side.iter().map(|&x| cell(y, x)).collect()).collect()
+    }
+}
 
 /// The side of a block of cells whose extremes are kept.
 pub(crate) const BLOCK: usize = 8;
@@ -42,18 +64,15 @@ impl Extremes {
 }
 
 impl Torus {
-    /// With those dots; `sigma` is the deviation of the Gaussian in cells.
-    fn new(side: usize, sigma: f64, seed: u64, dots: &[u32]) -> Self {
-        let radius = (ENDS * sigma) as i64;
-        let gaussian = |d: i64| (-0.5 * (d as f64 / sigma).powi(2)).exp();
-        let value = |y: i64, x: i64| ((gaussian(x) * gaussian(y) * (1u64 << 32) as f64).round() as u64) << 16;
+    /// With those dots.
+    fn new(side: usize, gaussian: Gaussian, seed: u64, dots: &[u32]) -> Self {
         let cells = side * side;
         let mut torus = Self {
             side,
             dots: vec![false; cells],
             crowding: (0..cells as u64).map(|i| bits(seed, i, 0) >> 48).collect(),
-            gaussian: (-radius..=radius).map(|y| (-radius..=radius).map(|x| value(y, x)).collect()).collect(),
-            radius,
+            gaussian: gaussian.table(),
+            radius: gaussian.radius,
             blocks: vec![Extremes::NONE; cells / (BLOCK * BLOCK)],
             rows: vec![Extremes::NONE; side / BLOCK],
         };
@@ -142,8 +161,8 @@ pub(crate) struct Order {
     pub(crate) side: usize,
     /// The dots of the first pattern, `1 ≤ dots ≤ side²`.
     pub(crate) dots: usize,
-    /// The deviation of the Gaussian by which crowding is measured, in cells.
-    pub(crate) sigma: f64,
+    /// How crowding is measured.
+    pub(crate) gaussian: Gaussian,
     /// Whether all cells are wanted, or only the first `dots`.
     pub(crate) whole: bool,
 }
@@ -156,10 +175,10 @@ pub(crate) struct Order {
 /// first; and, for the others, put into the least crowded gap. On the torus that is also the most crowded gap of the
 /// inverse pattern, which Ulichney takes for the second half.
 pub(crate) fn order(wanted: Order, seed: u64) -> Vec<u32> {
-    let Order { side, dots, sigma, whole } = wanted;
+    let Order { side, dots, gaussian, whole } = wanted;
     let mut cells = permutation(bits(seed, 0, 1), side * side);
     cells.truncate(dots);
-    let mut torus = Torus::new(side, sigma, seed, &cells);
+    let mut torus = Torus::new(side, gaussian, seed, &cells);
     for _ in 0..MOST_MOVES * dots {
         let Some(cluster) = torus.cluster() else { break };
         torus.toggle(cluster);
