@@ -95,6 +95,7 @@ pub mod kernel;
 pub mod laws;
 pub mod num;
 pub mod nyquist;
+pub mod pattern;
 #[cfg(feature = "plot")]
 pub mod plot;
 pub mod reconstruct;
@@ -159,6 +160,26 @@ pub mod prelude {
     pub use crate::nyquist::{
         Alias, Landing, Verdict, bandpass_rates, fold, landings, nyquist_frequency, nyquist_rate,
     };
+    pub use crate::pattern::Pattern;
+    pub use crate::pattern::best_candidate::BestCandidate;
+    pub use crate::pattern::blue_noise::BlueNoise;
+    pub use crate::pattern::cells::Cells;
+    pub use crate::pattern::halton::Halton;
+    pub use crate::pattern::hammersley::Hammersley;
+    pub use crate::pattern::jittered::Jittered;
+    pub use crate::pattern::measure::discrepancy::{star_discrepancy, star_discrepancy_line};
+    pub use crate::pattern::measure::distance::{min_distance, min_distance_torus, most_distance};
+    pub use crate::pattern::measure::elementary::net_quality;
+    pub use crate::pattern::measure::periodogram::Periodogram;
+    pub use crate::pattern::multi_jittered::MultiJittered;
+    pub use crate::pattern::n_rooks::NRooks;
+    pub use crate::pattern::padded::{Association, Padded};
+    pub use crate::pattern::poisson_disk::PoissonDisk;
+    pub use crate::pattern::random::Random;
+    pub use crate::pattern::regular::Regular;
+    pub use crate::pattern::scrambling::Scrambling;
+    pub use crate::pattern::sobol::Sobol;
+    pub use crate::pattern::zero_two::ZeroTwo;
     pub use crate::reconstruct::{Reconstruction, reconstruct};
     pub use crate::residual::Residual;
     pub use crate::resolve::{Ends, Resolution, Resolved, resolve, resolve_up_to};

@@ -2,8 +2,8 @@
 
 use crate::error::{Result, unknown};
 use crate::laws::{
-    Law, alias, coverage, cubics, frames, generalised, gibbs, hold, integration, jitter, kernels, lattices, metrics,
-    plane, poisson, theorems, truncation,
+    Law, alias, coverage, cubics, discrepancy, frames, generalised, gibbs, hold, integration, jitter, kernels,
+    lattices, metrics, plane, point_spectra, poisson, spacing, theorems, truncation, variance,
 };
 
 /// The themes, each with its laws.
@@ -19,6 +19,10 @@ static THEMES: &[&[Law]] = &[
     hold::LAWS,
     jitter::LAWS,
     integration::LAWS,
+    point_spectra::LAWS,
+    discrepancy::LAWS,
+    spacing::LAWS,
+    variance::LAWS,
     generalised::LAWS,
     frames::LAWS,
     plane::LAWS,
