@@ -51,7 +51,43 @@ fn of_what_goes_beyond_the_lecture() {
     tried(&["x-"]);
 }
 
+/// Every combination of the values, for figures whose parameters act on one another.
+fn tried_together(ids: &[&str]) {
+    for entry in catalog::all().into_iter().filter(|e| ids.iter().any(|id| e.id.starts_with(id))) {
+        let mut settings = vec![Vec::new()];
+        for param in entry.params {
+            let with = |set: &Vec<(&'static str, String)>, value| [&set[..], &[(param.name, value)]].concat();
+            settings = settings.iter().flat_map(|set| values(param).into_iter().map(|v| with(set, v))).collect();
+        }
+        for setting in settings {
+            let set = setting.iter().map(|(name, value)| (*name, value.as_str()));
+            let params = Params::with(entry.params, set).expect("within the ranges");
+            let figure = (entry.build)(&params).unwrap_or_else(|e| panic!("{} {setting:?}: {e}", entry.id));
+            for claim in &figure.claims {
+                let r = &claim.residual;
+                let (id, law) = (entry.id, &r.law);
+                assert!(r.holds(), "{id} {setting:?}: {law}: measured {:e}, allowed {:e}", r.measured, r.bound);
+            }
+        }
+    }
+}
+
 #[test]
 fn of_the_formal_part() {
     tried(&["f06", "f09", "f10", "f11", "f12", "f13", "f14", "f17", "f18", "f19", "f20", "f21"]);
+}
+
+#[test]
+fn of_the_problem() {
+    tried_together(&["f02", "f04", "f07", "f08"]);
+}
+
+#[test]
+fn of_reconstruction() {
+    tried_together(&["f15", "f16", "f23", "f24", "f25", "f26"]);
+}
+
+#[test]
+fn of_aliasing_and_its_remedies() {
+    tried_together(&["f27", "f28", "f29", "f30", "f31", "f32", "f33"]);
 }

@@ -3,6 +3,7 @@
 mod asking;
 mod claims_hold;
 mod claims_hold_over_their_ranges;
+mod numbers_aliasing;
 mod numbers_edges_and_filters;
 mod numbers_formal;
 mod numbers_further;

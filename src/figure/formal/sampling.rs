@@ -26,15 +26,15 @@ static STEP: Text = Text::fixed("sampling step T", "шаг дискретиза�
 pub static ENTRIES: &[Entry] = &[SAMPLING, COMB, WEIGHTS];
 
 /// The smooth curve through the heights that the source's figures of sampling show at `x = 0 … 8`.
-fn spikes() -> Result<Spline> {
+pub(in crate::figure) fn spikes() -> Result<Spline> {
     Spline::natural(Axis::new(0.0, 1.0, SPIKES.len())?, &SPIKES)
 }
 
 /// Where that curve ends; it starts at 0.
-const SPIKES_END: f64 = (SPIKES.len() - 1) as f64;
+pub(in crate::figure) const SPIKES_END: f64 = (SPIKES.len() - 1) as f64;
 
 /// How much is shown beyond either end, so that no sample stands on the frame.
-const SPIKES_MARGIN: f64 = 0.3;
+pub(in crate::figure) const SPIKES_MARGIN: f64 = 0.3;
 
 const SAMPLING: Entry = Entry {
     id: "f06-sampling",
