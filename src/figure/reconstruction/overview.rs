@@ -35,11 +35,11 @@ const OVERVIEW: Entry = Entry {
     title: &Text::fixed("Sampling and reconstruction", "Сэмплинг и реконструкция"),
     caption: &Text::fixed(
         "Above in space, below in frequency; what is a product in one row is a convolution in the other. Times the comb: \
-         the samples, and copies of the spectrum. Convolved with r: the signal again, and one copy cut out. It works \
-         because the copies do not overlap.",
+         the samples, and copies of the spectrum, of gain 1 (not 1/T, as the table of pairs has it). Convolved with r: the \
+         signal again, and one copy cut out. It works because the copies do not overlap.",
         "Сверху — пространство, снизу — частота; произведение в одной строке — свёртка в другой. Умножили на гребень Дирака \
-         — получили отсчёты и копии спектра. Свернули с r — получили снова сигнал, одна копия вырезана. Это возможно, \
-         потому что копии не перекрываются.",
+         — получили отсчёты и копии спектра с усилением 1 (а не 1/T, как в таблице). Свернули с r — получили снова сигнал, \
+         одна копия вырезана. Это возможно, потому что копии не перекрываются.",
     ),
     params: &[Param::real("T", &STEP, 0.4, 0.2, 0.5, "")],
     build: |params| overview(params.real("T")),

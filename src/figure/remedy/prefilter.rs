@@ -32,7 +32,7 @@ pub static ENTRIES: &[Entry] = &[PREFILTER];
 const PREFILTER: Entry = Entry {
     id: "f32-prefilter",
     inventory: &["F32"],
-    errata: &["E13", "E34"],
+    errata: &["E13"],
     title: &Text::fixed("Prefiltering", "Пре-фильтрация"),
     caption: &Text::fixed(
         "The chirp 1 + cos 4πx² passes the Nyquist frequency 4 at x = 1. Without a filter its samples show a mirror image \
