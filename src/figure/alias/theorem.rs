@@ -59,7 +59,7 @@ fn largest_error(f: &RaisedCosine, step: f64) -> Result<f64> {
 fn which_step(band: f64) -> Result<Figure> {
     let f = RaisedCosine::new(band)?;
     let spectrum = f.spectrum();
-    let (low, high, n) = (0.8, 3.0, 88);
+    let (low, high, n) = (0.8, 3.0, 66);
     let rates: Vec<f64> = (0..=n).map(|i| low + (high - low) * f64::from(i) / f64::from(n)).collect();
     // rates in units of B, errors relative to the signal
     let root = |rate: f64| Ok([rate, alias_energy(&spectrum, 1.0 / (rate * band))?.relative().sqrt()]);

@@ -219,12 +219,15 @@ fn cause(slow: f64, fast: f64) -> Result<Figure> {
     let alias = Alias::of(fast, axis.rate())?;
     let panel = |name, title, signal: &dyn Fn(f64) -> f64, slowest: &dyn Fn(f64) -> f64, meaning, label| {
         let dots = axis.iter().map(|x| [x, signal(x)]);
-        let x = if name == "sine" { space(0.0, end) } else { unmarked(0.0, end) };
+        // the last panel has the scale, and those above it the legends
+        let last = name == "sine";
+        let x = if last { space(0.0, end) } else { unmarked(0.0, end) };
+        let named = |layer: Layer, label: Text| if last { layer } else { layer.label(label) };
         Panel::new(name, title, x, unmarked(-1.25, 1.25))
             .legend(Legend::Above)
-            .with(Layer::curve("tone", Meaning::Signal, 0.0, end, 2 * PIECES, signal).label(text!("tone", "тон")))
-            .with(Layer::curve("slowest", meaning, 0.0, end, PIECES, slowest).thick().dashed().label(label))
-            .with(Layer::dots("samples", Meaning::Samples, dots).label(text!("samples", "отсчёты")))
+            .with(named(Layer::curve("tone", Meaning::Signal, 0.0, end, 2 * PIECES, signal), text!("tone", "тон")))
+            .with(named(Layer::curve("slowest", meaning, 0.0, end, PIECES, slowest).thick().dashed(), label))
+            .with(named(Layer::dots("samples", Meaning::Samples, dots), text!("samples", "отсчёты")))
     };
     let slowest = |frequency: f64| text!("slowest curve: {}", "самая медленная кривая: {}", number(frequency, 4));
     let tone = Cosine::new(slow)?;
@@ -255,7 +258,10 @@ fn cause(slow: f64, fast: f64) -> Result<Figure> {
         ))
         .with(panel(
             "sine",
-            text!("sine of frequency {}", "синус частоты {}", number(fast, 4)),
+            match alias.conjugated() {
+                true => text!("sine of frequency {}: sign flipped", "синус частоты {}: знак обратный", number(fast, 4)),
+                false => text!("sine of frequency {}: sign kept", "синус частоты {}: знак сохранён", number(fast, 4)),
+            },
             &odd,
             &odd_seen,
             Meaning::Leaked,

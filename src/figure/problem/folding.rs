@@ -206,10 +206,12 @@ fn spectrogram(rate: f64, slow: f64) -> Result<(Panel, Says)> {
     .span(3)
     .with(Layer::raster("power", (0.0, end), (0.0, top), tones, (0.0, most), Tones::Data))
     .with(
-        Layer::curve("folded", Meaning::Theory, 0.0, end, PIECES, |x| fold(sweep * x, rate))
-            .thick()
-            .dashed()
-            .label(text!("local frequency {}x, folded", "местная частота {}x, завёрнутая", number(sweep, 3))),
+        Layer::curve("folded", Meaning::Theory, 0.0, end, PIECES, |x| fold(sweep * x, rate)).thick().dashed().label(
+            match sweep {
+                1.0 => text!("local frequency x, folded", "местная частота x, завёрнутая"),
+                _ => text!("local frequency {}x, folded", "местная частота {}x, завёрнутая", number(sweep, 3)),
+            },
+        ),
     );
     let says = text!(
         "the ridge follows the folded local frequency, turning at {} and at zero, within its own width {}",

@@ -246,9 +246,13 @@ fn problems(f: f64) -> Result<Figure> {
             measured.push([f64::from(n), largest]);
         }
         let meaning = Meaning::Series(i as u8);
-        errors = errors.with(Layer::line(["bound", "bound-slow"][i], Meaning::Theory, ends(&bound)).dashed()).with(
-            Layer::dots(["error", "error-slow"][i], meaning, measured).label(text!("tone {}", "тон {}", number(f, 3))),
-        );
+        let line = Layer::line(["bound", "bound-slow"][i], Meaning::Theory, ends(&bound)).dashed();
+        let line = if i == 0 { line.label(text!("bounds, ∝ 1/N", "границы, ∝ 1/N")) } else { line };
+        errors = errors.with(line).with(Layer::dots(["error", "error-slow"][i], meaning, measured).label(text!(
+            "tone {}",
+            "тон {}",
+            number(f, 3)
+        )));
     }
 
     let step_up = maximum(|u| Ideal.step_response(u), 0.0, 1.0, 16).value;

@@ -86,9 +86,12 @@ fn overview(step: f64) -> Result<Figure> {
     let record = Samples::of(&f, Axis::centered(step, 2 * 200 + 1)?);
     let back = reconstruct(&record, Ideal);
     let dots = record.points().filter(|[x, _]| x.abs() <= REACH);
-    let upper =
-        |name, title, scale: f64| Panel::new(name, title, space(-REACH, REACH), unmarked(-0.32 * scale, 1.2 * scale));
-    let lower = |name, title| Panel::new(name, title, frequency(-limit, limit), unmarked(-0.1, 1.45));
+    let zero = || Layer::horizontals("zero", Meaning::Guide, [0.0]).thin();
+    let upper = |name, title, scale: f64| {
+        Panel::new(name, title, space(-REACH, REACH), unmarked(-0.32 * scale, 1.2 * scale)).with(zero())
+    };
+    let top = if overlap.is_some() { 1.35 } else { 1.2 };
+    let lower = |name, title| Panel::new(name, title, frequency(-limit, limit), unmarked(-0.08, top)).with(zero());
     let signal = || signal_curve("signal", Meaning::Signal, &f, -REACH, REACH);
     let own = || density_curve("signal", Meaning::Signal, &spectrum, -limit, limit);
     let result = signal_curve("result", Meaning::Reconstructed, &back, -REACH, REACH).thick();
