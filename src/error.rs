@@ -72,6 +72,18 @@ pub enum Error {
         /// The length that was given.
         got: usize,
     },
+    /// A number of things that a construction cannot have; the nearest that it can have stand beside it.
+    #[error("{what}: {given} is impossible; the nearest numbers are {below} and {above}")]
+    Count {
+        /// What the construction is.
+        what: &'static str,
+        /// The number asked for.
+        given: usize,
+        /// The largest possible number below it (zero if there is none).
+        below: usize,
+        /// The smallest possible number above it.
+        above: usize,
+    },
     /// A size that does not fit into memory or into its type.
     #[error("{what} overflows: {value} is more than {most}")]
     Overflow {
@@ -125,6 +137,22 @@ pub enum Error {
         condition: f64,
         /// The largest that was allowed.
         most: f64,
+    },
+    /// A file that is not what it should be: truncated, lying about its size, or of a kind that is not read.
+    #[error("{file}: {reason}")]
+    Format {
+        /// The file, as it was named.
+        file: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A file that cannot be read or written.
+    #[error("{file}: {reason}")]
+    Io {
+        /// The file, as it was named.
+        file: String,
+        /// What the system says.
+        reason: String,
     },
     /// A combination that has no meaning.
     #[error("{0}")]

@@ -45,6 +45,9 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
+//! Two dimensions repeat it: a [`Field`](field::Field) is a signal of the plane, an [`Image`](image::Image) its samples,
+//! [`ImageBins`](image::ImageBins) their transform, and sampling lattices take the place of the comb.
+//!
 //! # Conventions
 //!
 //! | matter | decision |
@@ -57,6 +60,7 @@
 //! | order of bins | rising frequency, zero at index `n/2` (integer division) |
 //! | at a jump | the mean of both sides (the box is ½ at its edge) |
 //! | Nyquist | Nyquist frequency = rate/2, Nyquist rate = 2B; a rate must be *greater* than 2B where the spectrum has a line at B |
+//! | images | linear light, rows one after another, positions as (x, y); sRGB is converted at the [door] |
 //! | edges | [`Edge`](axis::Edge): zero, clamp, wrap, mirror |
 //! | deltas | weights, never tall samples: a spectrum's lines are (position, weight) |
 //! | randomness | a pure function of (seed, index, dimension) |
@@ -73,19 +77,25 @@
 //! | --- | --- |
 //! | none | the library: transforms, sampling, replication, kernels, reconstruction, laws, and figures as data |
 //! | `plot` | figures drawn as SVG, PNG and PDF (plotters, and an embedded font: nothing of the system is used) |
+//! | `files` | images from PNG and JPEG files, and to PNG |
 //! | `cli` (default) | the command `nyquist` |
 
 pub mod axis;
 pub mod beyond;
 pub mod comb;
+pub mod door;
 pub mod error;
+pub mod field;
 pub mod figure;
 #[cfg(feature = "plot")]
 pub mod gallery;
+pub mod grid;
+pub mod image;
 pub mod kernel;
 pub mod laws;
 pub mod num;
 pub mod nyquist;
+pub mod pattern;
 #[cfg(feature = "plot")]
 pub mod plot;
 pub mod reconstruct;
@@ -103,7 +113,39 @@ pub mod prelude {
         BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery, Refined,
     };
     pub use crate::comb::Comb;
+    pub use crate::door::picture::{Color, Picture};
+    pub use crate::door::srgb::{linear_to_srgb, srgb_to_linear};
+    #[cfg(feature = "files")]
+    pub use crate::door::{Depth, Limits, png_bytes, read_picture};
     pub use crate::error::{Error, Result};
+    pub use crate::field::added::Added;
+    pub use crate::field::amplified::Amplified;
+    pub use crate::field::bricks::BrickWall;
+    pub use crate::field::checkerboard::Checkerboard;
+    pub use crate::field::checks::Checks;
+    pub use crate::field::disc::Disc;
+    pub use crate::field::flat::Flat;
+    pub use crate::field::glyphs::Glyphs;
+    pub use crate::field::grating::Grating;
+    pub use crate::field::half_plane::HalfPlane;
+    pub use crate::field::line::ThinLine;
+    pub use crate::field::moved::Moved;
+    pub use crate::field::multiplied::{Multiplied, Separable};
+    pub use crate::field::perspective::{Camera, Perspective};
+    pub use crate::field::plaid::Plaid;
+    pub use crate::field::polygon::ConvexPolygon;
+    pub use crate::field::rotated::Rotated;
+    pub use crate::field::spectrum::{PlaneImpulse, PlaneSpectrum};
+    pub use crate::field::spot::GaussianSpot;
+    pub use crate::field::star::SiemensStar;
+    pub use crate::field::zone_plate::ZonePlate;
+    pub use crate::field::zoomed::Zoomed;
+    pub use crate::field::{ExactMean, Field, FourierField, from_fn as field_fn};
+    pub use crate::grid::Grid;
+    pub use crate::image::dft::{forward as image_forward, inverse as image_inverse};
+    pub use crate::image::filter::{Filter, Shape};
+    pub use crate::image::lattice::Lattice;
+    pub use crate::image::{Image, ImageBins, Rgb};
     pub use crate::kernel::box_kernel::BoxKernel;
     pub use crate::kernel::cubic::Cubic;
     pub use crate::kernel::gaussian::GaussianKernel;
@@ -118,6 +160,26 @@ pub mod prelude {
     pub use crate::nyquist::{
         Alias, Landing, Verdict, bandpass_rates, fold, landings, nyquist_frequency, nyquist_rate,
     };
+    pub use crate::pattern::Pattern;
+    pub use crate::pattern::best_candidate::BestCandidate;
+    pub use crate::pattern::blue_noise::BlueNoise;
+    pub use crate::pattern::cells::Cells;
+    pub use crate::pattern::halton::Halton;
+    pub use crate::pattern::hammersley::Hammersley;
+    pub use crate::pattern::jittered::Jittered;
+    pub use crate::pattern::measure::discrepancy::{star_discrepancy, star_discrepancy_line};
+    pub use crate::pattern::measure::distance::{min_distance, min_distance_torus, most_distance};
+    pub use crate::pattern::measure::elementary::net_quality;
+    pub use crate::pattern::measure::periodogram::Periodogram;
+    pub use crate::pattern::multi_jittered::MultiJittered;
+    pub use crate::pattern::n_rooks::NRooks;
+    pub use crate::pattern::padded::{Association, Padded};
+    pub use crate::pattern::poisson_disk::PoissonDisk;
+    pub use crate::pattern::random::Random;
+    pub use crate::pattern::regular::Regular;
+    pub use crate::pattern::scrambling::Scrambling;
+    pub use crate::pattern::sobol::Sobol;
+    pub use crate::pattern::zero_two::ZeroTwo;
     pub use crate::reconstruct::{Reconstruction, reconstruct};
     pub use crate::residual::Residual;
     pub use crate::resolve::{Ends, Resolution, Resolved, resolve, resolve_up_to};

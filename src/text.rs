@@ -110,6 +110,7 @@ macro_rules! text {
 /// ```
 /// assert_eq!(nyquist::text::number(0.00042, 2), "0.00042");
 /// assert_eq!(nyquist::text::number(4.19e-15, 2), "4.2·10^{−15}");
+/// assert_eq!(nyquist::text::number(1e-14, 3), "10^{−14}");
 /// assert_eq!(nyquist::text::number(-1234.5, 3), "−1230");
 /// ```
 pub fn number(value: f64, digits: usize) -> String {
@@ -123,7 +124,13 @@ pub fn number(value: f64, digits: usize) -> String {
         let rounded: f64 = scientific.parse().expect("the format {:e} can be read back");
         rounded.to_string()
     };
-    let short = if (-5..7).contains(&exponent) { plain() } else { format!("{mantissa}·10^{{{exponent}}}") };
+    let mantissa = if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
+    let short = match mantissa {
+        _ if (-5..7).contains(&exponent) => plain(),
+        "1" => format!("10^{{{exponent}}}"),
+        "-1" => format!("-10^{{{exponent}}}"),
+        _ => format!("{mantissa}·10^{{{exponent}}}"),
+    };
     minus(&short)
 }
 

@@ -5,19 +5,24 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 19] = [
+const FLOORS: [&str; 24] = [
     "error",
     "text",
     "num",
     "residual",
     "axis",
+    "grid",
     "spectrum",
+    "pattern",
     "signal",
+    "field",
     "nyquist",
     "kernel",
     "sampled",
     "comb",
     "reconstruct",
+    "image",
+    "door",
     "beyond",
     "resolve",
     "laws",

@@ -2,8 +2,8 @@
 
 use crate::error::{Result, unknown};
 use crate::laws::{
-    Law, alias, cubics, frames, generalised, gibbs, hold, integration, jitter, kernels, metrics, poisson, theorems,
-    truncation,
+    Law, alias, coverage, cubics, discrepancy, frames, generalised, gibbs, hold, integration, jitter, kernels,
+    lattices, metrics, plane, point_spectra, poisson, spacing, theorems, truncation, variance,
 };
 
 /// The themes, each with its laws.
@@ -19,8 +19,15 @@ static THEMES: &[&[Law]] = &[
     hold::LAWS,
     jitter::LAWS,
     integration::LAWS,
+    point_spectra::LAWS,
+    discrepancy::LAWS,
+    spacing::LAWS,
+    variance::LAWS,
     generalised::LAWS,
     frames::LAWS,
+    plane::LAWS,
+    lattices::LAWS,
+    coverage::LAWS,
 ];
 
 /// All laws.

@@ -5,7 +5,9 @@
 
 pub mod alias;
 pub mod catalog;
+pub mod coverage;
 pub mod cubics;
+pub mod discrepancy;
 pub mod frames;
 pub mod generalised;
 pub mod gibbs;
@@ -13,10 +15,15 @@ pub mod hold;
 pub mod integration;
 pub mod jitter;
 pub mod kernels;
+pub mod lattices;
 pub mod metrics;
+pub mod plane;
+pub mod point_spectra;
 pub mod poisson;
+pub mod spacing;
 pub mod theorems;
 pub mod truncation;
+pub mod variance;
 
 use crate::residual::Residual;
 use crate::text::Text;

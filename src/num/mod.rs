@@ -1,7 +1,9 @@
 //! The ground floor: numbers that the field needs and the standard library lacks.
 
+pub mod erf;
 pub mod extremum;
 pub mod faddeeva;
+pub mod fresnel;
 pub mod isoline;
 pub mod quadrature;
 pub mod random;

@@ -1,12 +1,11 @@
-//! The discrete Fourier transform in physical units: the only place that knows rustfft.
+//! The discrete Fourier transform in physical units.
 
 use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::num::{cos_pi, sin_pi};
+use crate::sampled::plan::{Plan, RealPlan};
 use crate::sampled::{Bins, Samples};
 use num_complex::Complex;
-use rustfft::{Fft, FftDirection, FftPlannerScalar};
-use std::sync::Arc;
 
 /// `F(ν_k) = T Σ_j f(x_j) e^{−2πiν_k x_j}` at the frequencies of the dual axis: the left arrow of the square.
 ///
@@ -42,7 +41,7 @@ pub fn forward(samples: &Samples) -> Bins {
 pub fn forward_complex(space: Axis, values: &[Complex<f64>]) -> Result<Bins> {
     let checked = Bins::new(space, values.to_vec())?;
     let mut spectrum = checked.into_values();
-    plan(spectrum.len(), FftDirection::Forward).process(&mut spectrum);
+    Plan::forward(spectrum.len()).run(&mut spectrum);
     to_physical(space, &mut spectrum);
     spectrum.rotate_right(space.len() / 2);
     Ok(Bins::trusted(space, spectrum))
@@ -75,7 +74,7 @@ pub fn inverse_complex(bins: &Bins) -> Vec<Complex<f64>> {
     for (k, value) in signed(n).zip(values.iter_mut()) {
         *value *= phase(k, space).conj() * gain;
     }
-    plan(n, FftDirection::Inverse).process(&mut values);
+    Plan::inverse(n).run(&mut values);
     values
 }
 
@@ -97,36 +96,22 @@ pub fn inverse_dft(spectrum: &[Complex<f64>]) -> Result<Vec<f64>> {
         return Err(Error::TooFew { what: "values to transform", least: 1, got: 0 });
     }
     let mut values = spectrum.to_vec();
-    plan(n, FftDirection::Inverse).process(&mut values);
+    Plan::inverse(n).run(&mut values);
     Ok(values.into_iter().map(|v| v.re / n as f64).collect())
 }
 
-/// Plans are scalar: with AVX, NEON or neither the last bits would differ.
-fn plan(n: usize, direction: FftDirection) -> Arc<dyn Fft<f64>> {
-    FftPlannerScalar::new().plan_fft(n, direction)
-}
-
-/// Real input of even length as half as many complex numbers: `z_j = x_{2j} + i·x_{2j+1}`, whose transform holds those
-/// of the even and the odd samples as its Hermitian and anti-Hermitian parts (Sorensen et al. 1987).
+/// Real values: an even number at half the cost, and the other half of the spectrum by its symmetry.
 fn real_dft(values: &[f64]) -> Vec<Complex<f64>> {
     let n = values.len();
     if n % 2 == 1 {
         let mut full: Vec<Complex<f64>> = values.iter().map(|&v| v.into()).collect();
-        plan(n, FftDirection::Forward).process(&mut full);
+        Plan::forward(n).run(&mut full);
         return full;
     }
-    let half = n / 2;
-    let mut packed: Vec<Complex<f64>> = values.chunks_exact(2).map(|p| Complex::new(p[0], p[1])).collect();
-    plan(half, FftDirection::Forward).process(&mut packed);
     let mut full = vec![Complex::ZERO; n];
-    for k in 0..=half {
-        let (z, mirrored) = (packed[k % half], packed[(half - k) % half].conj());
-        let even = 0.5 * (z + mirrored);
-        let odd = Complex::new(0.0, -0.5) * (z - mirrored);
-        let angle = 2.0 * k as f64 / n as f64;
-        let value = even + Complex::new(cos_pi(angle), -sin_pi(angle)) * odd;
-        full[k % n] = value;
-        full[(n - k) % n] = value.conj();
+    RealPlan::forward(n).transform(values, &mut full[..=n / 2], &mut Vec::new());
+    for k in 0..=n / 2 {
+        full[(n - k) % n] = full[k].conj();
     }
     full
 }
@@ -139,13 +124,13 @@ fn to_physical(space: Axis, spectrum: &mut [Complex<f64>]) {
 }
 
 /// The signed indices `0, 1, …, −2, −1` of the plain order, with `−n/2` for even `n`.
-fn signed(n: usize) -> impl Iterator<Item = i64> {
+pub(crate) fn signed(n: usize) -> impl Iterator<Item = i64> {
     let (n, least) = (n as i64, -(n as i64 / 2));
     (0..n).map(move |k| if k - n >= least { k - n } else { k })
 }
 
 /// `e^{−2πiν_k·start}`; the turns are reduced before they are multiplied by π.
-fn phase(k: i64, space: Axis) -> Complex<f64> {
+pub(crate) fn phase(k: i64, space: Axis) -> Complex<f64> {
     let turns = 2.0 * k as f64 * (space.start() / space.span());
     Complex::new(cos_pi(turns), -sin_pi(turns))
 }

@@ -3,9 +3,12 @@
 mod a_band_far_from_zero_needs_little_more_than_twice_its_width;
 mod a_jittered_tone_fades_into_white_noise;
 mod adaptive_sampling_resolves_a_function_or_says_that_it_does_not;
+mod exact_means_are_exact;
 mod fourier_sums_overshoot_by_nine_percent;
 mod frequencies_fold_at_half_the_rate;
 mod holds_shutters_and_taps_have_their_transfers;
+mod images_are_resized_and_filtered;
+mod images_transform_in_physical_units;
 mod kernel_metrics_are_those_of_the_table;
 mod kernel_responses_are_transforms_of_their_values;
 mod kernels_claim_what_is_true_and_nothing_less;
@@ -14,4 +17,5 @@ mod positions_may_stray_by_less_than_a_quarter_of_the_step;
 mod reconstruction_closes_the_square;
 mod sampled_steps_ring_by_a_closed_form;
 mod slopes_or_pairs_halve_the_rate;
+mod the_checkerboard_in_perspective_has_exact_pixels;
 mod truncated_cardinal_series_err_as_bounded;

@@ -34,7 +34,14 @@ const CHIRP: Entry = Entry {
          шаге отсчёты периодичны.",
     ),
     params: &[Param::choice("rate", &RATE, &["8", "4", "12", "16"])],
-    build: |params| chirp(if params.choice("rate") == "4" { 4 } else { params.choice("rate").parse().unwrap_or(8) }),
+    build: |params| {
+        chirp(match params.choice("rate") {
+            "4" => 4,
+            "12" => 12,
+            "16" => 16,
+            _ => 8,
+        })
+    },
 };
 
 /// Multiples of 4 a unit: then the phase `2x² = 2k²/n²` of sample `k` gains whole turns after `n²/4` samples.

@@ -104,10 +104,10 @@ const PULSE_CHIRP: Entry = Entry {
     errata: &["E15"],
     title: &Text::fixed("Five filters on a pulse and a chirp", "Пять фильтров: импульс и растущая частота"),
     caption: &Text::fixed(
-        "The same 32 samples each time. Above: box and tent never leave the range of the samples, Mitchell rings a little, \
+        "The same 32 samples each time. Above (numbers: the overshoot): box and tent never leave the range of the samples, Mitchell rings a little, \
          the sinc a lot; the Gaussian blurs (and ripples, since its weights do not add up to 1). Below: the sharper the \
          filter, the longer it follows the chirp, up to x = 1, where Nyquist is reached.",
-        "Каждый раз одни и те же 32 отсчёта. Сверху: box и tent не выходят за пределы отсчётов, Митчелл немного звенит, sinc \
+        "Каждый раз одни и те же 32 отсчёта. Сверху (числа — выброс): box и tent не выходят за пределы отсчётов, Митчелл немного звенит, sinc \
          сильно; гауссиан размывает (и рябит: сумма его весов не равна 1). Снизу: чем резче фильтр, тем дольше он следует за \
          растущей частотой — до x = 1, где она достигает частоты Найквиста.",
     ),

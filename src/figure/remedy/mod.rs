@@ -4,7 +4,9 @@ pub mod adaptive;
 pub mod chart;
 pub mod jitter;
 pub mod prefilter;
-pub mod stochastic;
+pub mod random;
+pub mod regular;
+mod stochastic;
 pub mod supersample;
 
 use crate::figure::Entry;
@@ -14,7 +16,8 @@ pub static FAMILIES: &[&[Entry]] = &[
     chart::ENTRIES,
     prefilter::ENTRIES,
     supersample::ENTRIES,
-    stochastic::ENTRIES,
+    regular::ENTRIES,
+    random::ENTRIES,
     jitter::ENTRIES,
     adaptive::ENTRIES,
 ];
