@@ -145,7 +145,8 @@ fn row(
     let [title, spectrum_title, flat_title] = titles;
     let picture = signal_curve("picture", Meaning::Reconstructed, &reconstruct(&samples, kernel), 0.0, END).thick();
     let x = if lower { space(0.0, END) } else { unmarked(0.0, END) };
-    let picture = Panel::new(names[0], title, x, values("", -1.25, 1.25))
+    let top = 1.2 * (1.0 + ripple); // the spots of a peak and of its neighbours add up
+    let picture = Panel::new(names[0], title, x, values("", -top, top))
         .legend(Legend::Above)
         .span(3)
         .with(named(signal_curve("tone", Meaning::Signal, &tone, 0.0, END).dashed(), text!("tone", "тон")))
