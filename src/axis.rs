@@ -105,14 +105,14 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// The most positions an axis may have: beyond 2⁵³ the index is no longer exact in `f64`, and no memory holds it.
-    pub const MOST: usize = 1 << 40;
+    /// The most positions an axis may have, 2³²: 32 GiB of values. Far below 2⁵³, so that every index is exact in `f64`.
+    pub const MOST: usize = 1 << 32;
 
     /// `len` positions from `start`, `step` apart, without a unit.
     ///
     /// # Errors
-    /// A start or step that is not finite, a step that is not positive, no positions, more than [`Axis::MOST`], or an
-    /// end that overflows.
+    /// A start or step that is not finite, a step that is not positive or is lost in the rounding of the positions, no
+    /// positions, more than [`Axis::MOST`], or an end that overflows.
     pub fn new(start: f64, step: f64, len: usize) -> Result<Self> {
         finite("the start of an axis", start)?;
         positive("the step of an axis", step)?;
@@ -123,7 +123,12 @@ impl Axis {
             let what = "the length of an axis";
             return Err(Error::Overflow { what, value: len as f64, most: Self::MOST as f64 });
         }
-        finite("the end of an axis", start + step * len as f64)?;
+        let end = finite("the end of an axis", start + step * len as f64)?;
+        // where positions are so large that a step is lost in their rounding, neighbours would coincide
+        let least = f64::EPSILON * start.abs().max(end.abs());
+        if step < least {
+            return Err(Error::OutOfRange { what: "the step of an axis", value: step, low: least, high: f64::MAX });
+        }
         Ok(Self { start, step, len, unit: Unit::ONE })
     }
 

@@ -170,13 +170,20 @@ pub fn finite(what: &'static str, value: f64) -> Result<f64> {
     if value.is_finite() { Ok(value) } else { Err(Error::NotFinite { what, value }) }
 }
 
-/// `value` if it is finite and greater than zero.
+/// `value` if it is finite, greater than zero and has a finite reciprocal (no subnormal number).
 ///
 /// # Errors
-/// [`Error::NotFinite`] or [`Error::NotPositive`], naming `what`.
+/// [`Error::NotFinite`], [`Error::NotPositive`] or [`Error::OutOfRange`], naming `what`.
 pub fn positive(what: &'static str, value: f64) -> Result<f64> {
     finite(what, value)?;
-    if value > 0.0 { Ok(value) } else { Err(Error::NotPositive { what, value }) }
+    match value {
+        _ if value <= 0.0 => Err(Error::NotPositive { what, value }),
+        // below it the reciprocal overflows: a step without a rate, a rate without a step
+        _ if value < f64::MIN_POSITIVE => {
+            Err(Error::OutOfRange { what, value, low: f64::MIN_POSITIVE, high: f64::MAX })
+        }
+        _ => Ok(value),
+    }
 }
 
 /// `value` if it is finite and within `low..=high`.

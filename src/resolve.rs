@@ -69,7 +69,9 @@ pub struct Resolved {
 /// What is accepted. On a grid of `n` points let `c_k` be the discrete Fourier coefficients. The band ends at the least
 /// `K` with `Σ_{|k| > K} |c_k| ≤ tolerance·max|f|`, where coefficients below the rounding of `f` itself (of its values
 /// and of its argument) count as zero. It is accepted if `K ≤ n/4`, so that half of the spectrum is a plateau of
-/// nothing, and if the polynomial agrees with `f` within twice the tolerance at 610 fresh points at irrational places.
+/// nothing, and if the polynomial agrees with `f` within twice the tolerance, plus four times the rounding of `f`, at 610
+/// fresh points at irrational places. Where that rounding itself exceeds the tolerance (far from zero the argument has
+/// lost the digits that matter) the function is not resolved, and the level says to what.
 /// The plateau makes sure that a jump of `h` is never resolved at a tolerance below `0.22 h/max|f|` (its coefficients
 /// are `h/2π|k|`, and `Σ_{n/4 < |k| ≤ n/2}` of those is `(h/π) ln 2`); the fresh points, that a tone above the grid's
 /// Nyquist frequency is not taken for its alias, nor a tone that vanishes on the grid for nothing. A spike narrower
@@ -133,6 +135,10 @@ pub fn resolve_up_to(signal: &impl Signal, interval: Range<f64>, tolerance: f64,
         let rounding = search.rounding(&coefficients, scale, n);
         let kept = chop(&coefficients, tolerance * scale, 3.0 * rounding / (n as f64).sqrt());
         if 4 * kept <= n {
+            if rounding > tolerance * scale {
+                // the argument's own rounding hides what the tolerance asks for: a finer grid would not show it either
+                return Ok(Resolution::Unresolved { samples: n, level: rounding / scale });
+            }
             let polynomial = TrigPolynomial::new(interval.clone(), coefficients[..=kept].to_vec())?;
             let deviation = search.deviation(&polynomial, &fresh);
             if deviation <= 2.0 * tolerance * scale + 4.0 * rounding {

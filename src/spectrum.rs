@@ -88,7 +88,8 @@ impl Spectrum {
         Ok(Self::from_lines(lines))
     }
 
-    fn from_lines(mut lines: Vec<Impulse>) -> Self {
+    /// Lines whose places and weights are known to be finite.
+    pub(crate) fn from_lines(mut lines: Vec<Impulse>) -> Self {
         lines.sort_by(|a, b| a.at.total_cmp(&b.at));
         lines.dedup_by(|b, a| {
             // 0.0 and -0.0 are one place, hence == and not the total order
@@ -208,9 +209,14 @@ impl Spectrum {
     /// covered (`order ≥ (|ν| + extent)/rate`); for densities that never end the rest is a tail, not zero.
     ///
     /// # Errors
-    /// A rate that is not positive and finite.
+    /// A rate that is not positive and finite; an order above 2²⁰.
     pub fn replicated(&self, rate: f64, order: usize) -> Result<Self> {
         positive("the sampling rate", rate)?;
+        let most = 1 << 20;
+        if order > most {
+            let what = "the number of copies to either side";
+            return Err(Error::Overflow { what, value: order as f64, most: most as f64 });
+        }
         let shifts: Vec<f64> = (-(order as i64)..=order as i64).map(|k| k as f64 * rate).collect();
         let copies = |l: &Impulse| shifts.iter().map(|s| Impulse { at: l.at + s, ..*l }).collect::<Vec<_>>();
         let lines = self.lines.iter().flat_map(copies).collect();

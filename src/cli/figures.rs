@@ -51,7 +51,7 @@ pub(super) struct Args {
     /// With --list: as JSON, with captions, panels and measured claims
     #[arg(long, requires = "list")]
     json: bool,
-    /// Compare with the files in DIR instead of writing: exit code 1 if any differs
+    /// Compare the SVGs and the index in DIR with what is computed instead of writing: exit code 1 if any differs
     #[arg(long, conflicts_with_all = ["list", "set", "data"])]
     check: bool,
 }
@@ -67,7 +67,9 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     let entries: Vec<&'static Entry> = if args.ids.is_empty() {
         catalog::all()
     } else {
-        args.ids.iter().map(|id| catalog::by_name(id)).collect::<Result<_, _>>()?
+        let named = args.ids.iter().map(|name| catalog::matching(name)).collect::<Result<Vec<_>, _>>()?;
+        let mut seen = BTreeSet::new();
+        named.concat().into_iter().filter(|entry| seen.insert(entry.id)).collect()
     };
     if !args.set.is_empty() && args.ids.is_empty() {
         return Err(Failure::Trouble(
@@ -99,13 +101,16 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     let computed = pool.install(|| compute(&entries, &args.set, &options, &progress))?;
     progress.finish_and_clear();
     let mut files: Vec<File> = computed.iter().flat_map(|r| r.files.iter().cloned()).collect();
+    // the index shows the SVGs of both languages, so it belongs to a run that has made them
     let whole = args.ids.is_empty();
-    if whole {
+    let shown = args.theme == Theme::Light && Lang::ALL.iter().all(|lang| args.lang.contains(lang));
+    if whole && shown && options.formats.contains(&Format::Svg) {
         files.extend(index_files(&computed));
     }
-    let failed = report(&computed)?;
+    let failed = report(&computed);
     if args.check {
-        check(&args.out, &files, whole)?;
+        let folders = args.lang.iter().map(|&lang| gallery::folder(lang, args.theme));
+        check(&args.out, &files, if whole { folders.collect() } else { Vec::new() })?;
     } else {
         for file in &files {
             files::write(&args.out.join(&file.path), &file.bytes)?;
@@ -136,6 +141,9 @@ fn compute(
     let rendered = entries.par_iter().map(|entry| {
         let rendered = gallery::render(entry, set, options)
             .map_err(|error| Failure::trouble(format!("figure {}", entry.id), error));
+        if let (Ok(Rendered { figure, .. }), false, false) = (&rendered, options.formats.is_empty(), watched()) {
+            say(&format!("{:<24} {} panels, {} claims", entry.id, figure.panels.len(), figure.claims.len()));
+        }
         progress.set_message(entry.id);
         progress.inc(1);
         rendered
@@ -152,42 +160,37 @@ fn index_files(computed: &[Rendered]) -> Vec<File> {
     ]
 }
 
-/// A line for every figure where nobody watches a bar, and for every failed claim; how many failed.
-fn report(computed: &[Rendered]) -> Result<usize, Failure> {
+/// A line for every failed claim; how many failed.
+fn report(computed: &[Rendered]) -> usize {
     let mut failed = 0;
     for Rendered { entry, figure, .. } in computed {
-        if !std::io::stderr().is_terminal() {
-            say(&format!("{:<24} {} panels, {} claims", entry.id, figure.panels.len(), figure.claims.len()));
-        }
         for claim in figure.claims.iter().filter(|c| !c.residual.holds()) {
             let r = &claim.residual;
             say(&format!("✗ {}: {}: measured {:e}, allowed {:e}", entry.id, r.law, r.measured, r.bound));
             failed += 1;
         }
     }
-    Ok(failed)
+    failed
 }
 
-/// Every file must be there with the same bytes, and no other SVG may lie about.
-fn check(folder: &Path, files: &[File], whole: bool) -> Result<(), Failure> {
+/// Every file must be there with the same bytes, and no other SVG may lie about in the given folders.
+fn check(out: &Path, files: &[File], folders: Vec<PathBuf>) -> Result<(), Failure> {
     let mut stale = Vec::new();
     for file in files {
-        match std::fs::read(folder.join(&file.path)) {
+        match std::fs::read(out.join(&file.path)) {
             Ok(bytes) if bytes == file.bytes => {}
             Ok(_) => stale.push(format!("{} differs", file.path.display())),
             Err(error) => stale.push(format!("{}: {error}", file.path.display())),
         }
     }
-    if whole {
-        let known: BTreeSet<&Path> = files.iter().map(|f| f.path.as_path()).collect();
-        for lang in Lang::ALL {
-            let Ok(found) = std::fs::read_dir(folder.join(lang.code())) else { continue };
-            for name in found.flatten().map(|f| f.file_name()) {
-                let path = Path::new(lang.code()).join(&name);
-                let variant = name.to_string_lossy().contains('@');
-                if path.extension().is_some_and(|e| e == "svg") && !variant && !known.contains(path.as_path()) {
-                    stale.push(format!("{} belongs to no figure", path.display()));
-                }
+    let known: BTreeSet<&Path> = files.iter().map(|f| f.path.as_path()).collect();
+    for folder in folders {
+        let Ok(found) = std::fs::read_dir(out.join(&folder)) else { continue };
+        for name in found.flatten().map(|f| f.file_name()) {
+            let path = folder.join(&name);
+            let variant = name.to_string_lossy().contains('@');
+            if path.extension().is_some_and(|e| e == "svg") && !variant && !known.contains(path.as_path()) {
+                stale.push(format!("{} belongs to no figure", path.display()));
             }
         }
     }
@@ -207,8 +210,13 @@ fn say(line: &str) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }
 
+/// Whether somebody watches a bar; otherwise a line is written for every figure as it is done.
+fn watched() -> bool {
+    std::io::stderr().is_terminal()
+}
+
 fn progress(len: usize) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
+    if !watched() {
         return ProgressBar::hidden();
     }
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}").expect("the template is well formed");

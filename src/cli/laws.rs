@@ -25,7 +25,7 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     let laws: Vec<&Law> = if args.names.is_empty() {
         catalog::all().collect()
     } else {
-        args.names.iter().map(|name| catalog::by_name(name)).collect::<Result<_, _>>()?
+        args.names.iter().map(|name| catalog::matching(name)).collect::<Result<Vec<_>, _>>()?.concat()
     };
     let mut held = true;
     let mut report = Vec::new();

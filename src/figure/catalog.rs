@@ -22,11 +22,19 @@ pub fn all() -> Vec<&'static Entry> {
     entries
 }
 
+/// The figure of that id, or all that cover that entry of the lecture's inventory (`F28`).
+///
+/// # Errors
+/// An unknown name; the known ones stand in the error, nearest first.
+pub fn matching(name: &str) -> Result<Vec<&'static Entry>> {
+    let found: Vec<_> = all().into_iter().filter(|entry| entry.id == name || entry.inventory.contains(&name)).collect();
+    if found.is_empty() { Err(unknown("figure", name, all().iter().map(|entry| entry.id))) } else { Ok(found) }
+}
+
 /// The figure of that id, or the first that covers that entry of the lecture's inventory (`F28`).
 ///
 /// # Errors
 /// An unknown name; the known ones stand in the error, nearest first.
 pub fn by_name(name: &str) -> Result<&'static Entry> {
-    let found = all().into_iter().find(|entry| entry.id == name || entry.inventory.contains(&name));
-    found.ok_or_else(|| unknown("figure", name, all().iter().map(|entry| entry.id)))
+    Ok(matching(name)?[0])
 }

@@ -1,7 +1,6 @@
 //! What many figures share: scales with their names, and layers made from the library's nouns.
 
 use crate::figure::{Layer, Meaning, Scale};
-use crate::sampled::Samples;
 use crate::signal::Signal;
 use crate::spectrum::Spectrum;
 use crate::text::Text;
@@ -42,11 +41,6 @@ pub fn density_curve(name: &'static str, meaning: Meaning, spectrum: &Spectrum, 
 /// The lines of a spectrum as arrows, by the real part of their weights.
 pub fn line_arrows(name: &'static str, meaning: Meaning, spectrum: &Spectrum) -> Layer {
     Layer::arrows(name, meaning, spectrum.lines().iter().map(|l| [l.at, l.weight.re]))
-}
-
-/// Samples as dots on stems.
-pub fn sample_stems(name: &'static str, samples: &Samples) -> Layer {
-    Layer::stems(name, Meaning::Samples, samples.points())
 }
 
 /// The largest `|y|` of a layer's points.

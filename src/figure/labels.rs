@@ -31,6 +31,7 @@ pub fn labels(name: &'static str, panel: &Panel, row: f64, dots: &[[f64; 2]], na
         let aside = 0.5 * width + 0.8 / row;
         let sides = [[0.0, height], [aside, 0.0], [-aside, 0.0], [0.0, -height]];
         let corners = [[aside, height], [-aside, height], [aside, -height], [-aside, -height]];
+        let far = [[0.0, 2.0 * height], [0.0, -2.0 * height]]; // behind another name
         let (half, tall) = (0.5 * width, 0.5 * height);
         // kept inside the panel, as it will be drawn
         let middle = |side: [f64; 2]| {
@@ -46,7 +47,7 @@ pub fn labels(name: &'static str, panel: &Panel, row: f64, dots: &[[f64; 2]], na
             };
             3 * taken.iter().filter(meets).count() + dots.iter().filter(hides).count()
         };
-        let best = sides.into_iter().chain(corners).min_by_key(|side| cost(*side)).unwrap_or_default();
+        let best = sides.into_iter().chain(corners).chain(far).min_by_key(|side| cost(*side)).unwrap_or_default();
         let [cx, cy] = middle(best);
         taken.push([cx, cy, half, tall]);
         notes.push(([x.at(cx), y.at(cy)], text.clone()));

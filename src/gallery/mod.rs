@@ -85,7 +85,7 @@ pub fn render(entry: &'static Entry, set: &[(String, String)], options: &Options
 }
 
 /// The folder of a language and theme: `en`, `ru`, `en-dark`, `ru-dark`.
-fn folder(lang: Lang, theme: Theme) -> PathBuf {
+pub fn folder(lang: Lang, theme: Theme) -> PathBuf {
     match theme {
         Theme::Light => lang.code().into(),
         Theme::Dark => format!("{}-dark", lang.code()).into(),

@@ -35,12 +35,11 @@ pub fn all() -> impl Iterator<Item = &'static Law> {
     THEMES.iter().copied().flatten()
 }
 
-/// The law of that name, or the one that states that result of the inventory.
+/// The law of that name, or all that state that result of the inventory (`V31`).
 ///
 /// # Errors
 /// An unknown name; the known ones stand in the error, nearest first.
-pub fn by_name(name: &str) -> Result<&'static Law> {
-    all()
-        .find(|law| law.name == name || law.inventory.contains(&name))
-        .ok_or_else(|| unknown("law", name, all().map(|law| law.name)))
+pub fn matching(name: &str) -> Result<Vec<&'static Law>> {
+    let found: Vec<_> = all().filter(|law| law.name == name || law.inventory.contains(&name)).collect();
+    if found.is_empty() { Err(unknown("law", name, all().map(|law| law.name))) } else { Ok(found) }
 }

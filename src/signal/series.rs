@@ -97,9 +97,10 @@ impl Signal for PartialSum {
 
 impl FourierPair for PartialSum {
     fn spectrum(&self) -> Spectrum {
-        self.terms().fold(Spectrum::zero(), |sum, (frequency, amplitude)| {
+        let pair = |(frequency, amplitude): (f64, f64)| {
             let weight = Complex::new(0.0, 0.5 * amplitude);
-            sum.plus_line(Impulse::new(frequency, -weight)).plus_line(Impulse::new(-frequency, weight))
-        })
+            [Impulse::new(frequency, -weight), Impulse::new(-frequency, weight)]
+        };
+        Spectrum::from_lines(self.terms().flat_map(pair).collect())
     }
 }

@@ -2,13 +2,13 @@
 
 use crate::error::Result;
 use crate::figure::common::{PIECES, density_curve, frequency, signal_curve, space, values};
+use crate::figure::formal::replicas::order;
 use crate::figure::params::{Param, Params};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel};
 use crate::laws::alias::leaked_spectrum;
 use crate::residual::Residual;
 use crate::signal::gaussian::Gaussian;
 use crate::signal::{FourierPair, Signal};
-use crate::spectrum::Spectrum;
 use crate::text;
 use crate::text::{Text, number};
 
@@ -20,11 +20,6 @@ pub static ENTRIES: &[Entry] = &[OVERLAP, LEAK];
 /// The signal of both figures: its spectrum is `e^{−8ν²}`, as in the source's artwork.
 fn signal() -> Result<Gaussian> {
     Gaussian::with_spectrum(8.0)
-}
-
-/// How many copies reach into `|ν| ≤ limit`.
-fn order(spectrum: &Spectrum, rate: f64, limit: f64) -> usize {
-    ((spectrum.extent() + limit) / rate).ceil() as usize
 }
 
 const OVERLAP: Entry = Entry {

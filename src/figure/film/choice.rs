@@ -47,7 +47,7 @@ fn kinds() -> [Kind; 3] {
     const PLAIN: &[(&str, Text)] = &[
         ("box", Text::same("box")),
         ("tent", Text::fixed("tent", "tent")),
-        ("gaussian", Text::fixed("Gaussian", "Гауссиан")),
+        ("gaussian", Text::fixed("Gauss", "Гаусс")),
         ("gaussian-pbrt2", Text::EMPTY),
     ];
     const CUBIC: &[(&str, Text)] = &[
@@ -104,7 +104,7 @@ fn choice(params: &Params) -> Result<Figure> {
         "ringing",
         text!("blur and ringing", "размытие и звон"),
         horizontal(),
-        Scale::linear(text!("overshoot, %", "выброс, %"), -1.5, 17.0),
+        Scale::linear(text!("overshoot, %", "выброс, %"), -2.5, 17.0),
     );
     let of_images = |m: &Metrics| [m.smoothing, m.postaliasing];
     let of_ringing = |m: &Metrics| [m.smoothing, 100.0 * m.overshoot];
@@ -130,7 +130,7 @@ fn choice(params: &Params) -> Result<Figure> {
         names.resize(dots.len(), Text::EMPTY);
         filled
             .with(Layer::dots("mine", Meaning::Error, [place(&own)]))
-            .with(labels("names", &panel, 40.0, &dots, &names))
+            .with(labels("names", &panel, 32.0, &dots, &names))
     };
 
     let all = || named.iter().flatten();
@@ -151,13 +151,13 @@ fn choice(params: &Params) -> Result<Figure> {
         .with(fill(ringing, &of_ringing))
         .claim(
             text!(
-                "no filter that does not ring blurs less than the box: S ≥ {}; but the box lets through P = {}",
-                "ни один фильтр без звона не размывает меньше, чем box: S ≥ {}; но box пропускает P = {}",
+                "of these filters, none that does not ring blurs less than the box: S ≥ {}; but the box lets through P = {}",
+                "среди этих фильтров ни один без звона не размывает меньше, чем box: S ≥ {}; но box пропускает P = {}",
                 number(least, 4),
                 number(boxed.postaliasing, 4)
             ),
             // both are the same quadrature, to 1e-13
-            Residual::near("least blur without ringing = the box'", least, smoothing(&BoxKernel), 1e-12),
+            Residual::near("least blur without ringing = the blur of the box", least, smoothing(&BoxKernel), 1e-12),
         )
         .claim(
             text!(

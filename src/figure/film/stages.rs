@@ -133,8 +133,8 @@ fn stages(params: &Params) -> Result<Figure> {
         .with(filter("both", text!("both at once: r ⊗ p", "сразу оба: r ⊗ p"), "r ⊗ p", &both, top_of_both))
         .claim(
             text!(
-                "one filter (samples per pixel: {weighs}) gives the same {PIXELS} pixels as all three stages",
-                "один фильтр (отсчётов на пиксель: {weighs}) даёт те же {PIXELS} пикселей, что и три этапа"
+                "one filter (it weighs {weighs} samples for a pixel) gives the same {PIXELS} pixels as all three stages",
+                "один фильтр (взвешивает на пиксель отсчётов: {weighs}) даёт те же {PIXELS} пикселей, что и три этапа"
             ),
             Residual::at_most("(S ⊗ r) ⊗ p = S ⊗ (r ⊗ p) at the centres", difference, quadrature * size),
         )

@@ -271,7 +271,7 @@ fn limits(step: f64) -> Result<Figure> {
         .claim(
             text!(
                 "the constant's peak is as high as the window is wide: 10, 20, 40",
-                "пик константы высок, как широко окно: 10, 20, 40"
+                "высота пика константы равна ширине окна: 10, 20, 40"
             ),
             Residual::at_most("F(0) = L", worst(&|i| (heights[0][i] - WINDOWS[i]).abs() / fft(WINDOWS[i])), 1.0),
         )

@@ -4,7 +4,7 @@ use crate::axis::Axis;
 use crate::error::Result;
 use crate::figure::labels::labels;
 use crate::figure::params::Param;
-use crate::figure::{Entry, Figure, Layer, Meaning, Panel, Scale, Tones};
+use crate::figure::{Entry, Figure, Layer, Mark, Meaning, Panel, Scale, Tones};
 use crate::kernel::cubic::Cubic;
 use crate::kernel::metrics::Metrics;
 use crate::laws::cubics::second_moment;
@@ -28,10 +28,10 @@ const PLANE: Entry = Entry {
     caption: &Text::fixed(
         "All cubics of Mitchell and Netravali keep constants; only those on the line B + 2C = 1 keep straight lines too. \
          Along it blur trades against ringing. Off it, below, the images of the spectrum come through (P); Mitchell's \
-         (⅓, ⅓) stands on the line, half-way.",
+         (⅓, ⅓) stands on the line, a third of the way to the B-spline.",
         "Все кубические ядра Митчелла–Нетравали сохраняют константы; прямые сохраняют только ядра на линии B + 2C = 1. \
          Вдоль неё размытие меняется на звон. В стороне от неё, внизу, проходят копии спектра (P); Митчелл (⅓, ⅓) стоит на \
-         линии, посередине.",
+         линии, на трети пути к B-сплайну.",
     ),
     params: &[Param::count("grid", &GRID, 28, 12, 48)],
     build: |params| plane(params.count("grid")),
@@ -57,29 +57,36 @@ impl Map {
             Scale::linear(Text::same("C"), 0.0, 1.0),
         )
         .with(Layer::raster("map", unit, unit, self.values.clone(), (low, high), Tones::Data));
+        let names = labels("names", &panel, 26.0, named, names);
+        let named_at: Vec<[f64; 2]> = match &names.mark {
+            Mark::Notes(notes) => notes.iter().map(|note| note.0).collect(),
+            _ => Vec::new(),
+        };
         let mut notes = Vec::new();
         for &level in self.levels {
             let segments = isoline(&self.values, unit, unit, level);
             let pen = segments.iter().flat_map(|[a, b]| [*a, *b, [f64::NAN, f64::NAN]]);
             panel = panel.with(Layer::line("isolines", Meaning::Theory, pen).thin());
-            // where the line is farthest from the named kernels, their line, other numbers and the frame
+            // where the line is farthest from the named kernels, their names and line, other numbers and the frame
             let free = |p: &[f64; 2]| {
                 let from = |q: &[f64; 2]| (p[0] - q[0]).abs().max(p[1] - q[1]).max(q[1] - p[1]);
                 let kernels = named.iter().map(from).fold(f64::INFINITY, f64::min);
                 let others = notes.iter().map(|note: &([f64; 2], Text)| from(&note.0)).fold(f64::INFINITY, f64::min);
                 let frame = p[0].min(1.0 - p[0]).min(p[1]).min(1.0 - p[1]);
                 let line = (p[0] + 2.0 * p[1] - 1.0).abs() / 3.0;
-                kernels.min(others).min(3.0 * frame).min(2.0 * line)
+                // a name is about six times as wide as high
+                let off = |q: &[f64; 2]| (0.4 * (p[0] - q[0]).abs()).max((p[1] - q[1]).abs());
+                let words = named_at.iter().map(off).fold(f64::INFINITY, f64::min);
+                kernels.min(others).min(3.0 * frame).min(2.0 * line).min(1.5 * words)
             };
             let place = segments.iter().map(|s| s[0]).max_by(|a, b| free(a).total_cmp(&free(b)));
             notes.extend(place.map(|p| (p, Text::of(number(level, 2), number(level, 2)))));
         }
-        let labels = labels("names", &panel, 26.0, named, names);
         panel
             .with(Layer::line("line", Meaning::Samples, [[0.0, 0.5], [1.0, 0.0]]).thick())
             .with(Layer::dots("named", Meaning::Samples, named.iter().copied()))
             .with(Layer::notes("levels", Meaning::Guide, notes))
-            .with(labels)
+            .with(names)
     }
 }
 

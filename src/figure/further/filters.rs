@@ -2,7 +2,7 @@
 
 use crate::axis::{Axis, Edge};
 use crate::error::Result;
-use crate::figure::common::{frequency, signal_curve, space, unmarked, values};
+use crate::figure::common::{PIECES, frequency, space, unmarked, values};
 use crate::figure::params::Param;
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::kernel::Kernel;
@@ -105,10 +105,10 @@ const PULSE_CHIRP: Entry = Entry {
     title: &Text::fixed("Five filters on a pulse and a chirp", "Пять фильтров: импульс и растущая частота"),
     caption: &Text::fixed(
         "The same 32 samples each time. Above (numbers: the overshoot): box and tent never leave the range of the samples, Mitchell rings a little, \
-         the sinc a lot; the Gaussian blurs (and ripples, since its weights do not add up to 1). Below: the sharper the \
+         the sinc a lot; the Gaussian blurs. Every value is divided by the sum of its weights. Below: the sharper the \
          filter, the longer it follows the chirp, up to x = 1, where Nyquist is reached.",
         "Каждый раз одни и те же 32 отсчёта. Сверху (числа — выброс): box и tent не выходят за пределы отсчётов, Митчелл немного звенит, sinc \
-         сильно; гауссиан размывает (и рябит: сумма его весов не равна 1). Снизу: чем резче фильтр, тем дольше он следует за \
+         сильно; гауссиан размывает. Каждое значение делится на сумму весов. Снизу: чем резче фильтр, тем дольше он следует за \
          растущей частотой — до x = 1, где она достигает частоты Найквиста.",
     ),
     params: &[Param::choice("last", &LAST, &["lanczos-3", "ideal"])],
@@ -130,15 +130,18 @@ fn pulse_chirp(names: &[&'static str; 5]) -> Result<Figure> {
         let (kernel, title) = (by_name(name)?, called(name));
         let of_pulse = reconstruct(&pulse, &kernel);
         let of_chirp = reconstruct(&chirp, &kernel).edge(Edge::Wrap);
-        // as a film does, the metric divides by the sum of the weights
-        let divided = |x: f64| of_pulse.at(x) / kernel.periodic(x / STEP, 1);
-        let top = (maximum(divided, 1.0, 1.45, 230).value - 1.0).max(0.0);
+        // as a film does, and the metric: divided by the sum of the weights
+        let divided = |signal: &dyn Signal, x: f64| signal.at(x) / kernel.periodic(x / STEP, 1);
+        let top = (maximum(|x| divided(&of_pulse, x), 1.0, 1.45, 230).value - 1.0).max(0.0);
         let percent = if top < 1e-9 { "0".to_owned() } else { number(100.0 * top, 3) };
         let sign = if percent == "0" { "" } else { "+" };
         let scale = |low, high| if i == 0 { values("f(x)", low, high) } else { unmarked(low, high) };
-        let upper = Panel::new(ABOVE[i], title.clone(), unmarked(low - 0.05, high + 0.05), scale(-0.3, 1.3))
+        let back = |signal: &dyn Signal, low, high| {
+            Layer::curve("back", Meaning::Reconstructed, low, high, PIECES, |x| divided(signal, x)).thick()
+        };
+        let upper = Panel::new(ABOVE[i], title.clone(), space(low - 0.05, high + 0.05), scale(-0.3, 1.3))
             .with(Layer::line("pulse", Meaning::Signal, edge).thin())
-            .with(signal_curve("back", Meaning::Reconstructed, &of_pulse, low, high).thick())
+            .with(back(&of_pulse, low, high))
             .with(Layer::dots("samples", Meaning::Samples, pulse.points().filter(|p| (low..=high).contains(&p[0]))))
             .with(Layer::notes(
                 "overshoot",
@@ -150,7 +153,7 @@ fn pulse_chirp(names: &[&'static str; 5]) -> Result<Figure> {
             Panel::new(BELOW[i], Text::EMPTY, space(0.0, end), scale(-0.4, 2.4))
                 .with(Layer::curve("chirp", Meaning::Signal, 0.0, end, 600, |x| LectureChirp.at(x)).thin())
                 .with(Layer::verticals("nyquist", Meaning::Guide, [1.0]).dashed())
-                .with(signal_curve("back", Meaning::Reconstructed, &of_chirp, 0.0, end).thick()),
+                .with(back(&of_chirp, 0.0, end)),
         );
         // the pulse's other edge is 8 samples away: beyond the radius of all but the ideal sinc, whose ringing is below
         // 1/(πd) after d samples, and d ≥ 4 here. Else rounding, 16 weights below one and the place of the maximum

@@ -154,7 +154,7 @@ fn remedies(params: &Params) -> Result<Figure> {
             .claim(
                 text!(
                     "tone {}: {} stochastic samples leave {} and noise of {} (root mean square)",
-                    "тон {}: {} случайных отсчётов оставляют {} и шум {} (среднеквадратичный)",
+                    "тон {}: случайных отсчётов {}, остаётся {} и шум {} (среднеквадратичный)",
                     tone,
                     n,
                     number(random.coherent.norm(), 2),
