@@ -176,3 +176,37 @@ fn the_readme_names_commands_that_exist() {
     }
     assert!(seen > 3, "the readme shows commands");
 }
+
+#[test]
+fn a_name_of_the_inventory_means_all_that_cover_it() {
+    let ids = |name: &str| {
+        let output = nyquist(&["figures", name, "--list"]);
+        String::from_utf8_lossy(&output.stdout)
+            .lines()
+            .map(|l| l[..l.find(' ').unwrap_or(l.len())].to_owned())
+            .collect()
+    };
+    let f13: Vec<String> = ids("F13");
+    assert!(f13.contains(&"f13-pairs".to_owned()) && f13.len() > 1, "{f13:?}");
+    let output = nyquist(&["laws", "V31", "--json"]);
+    let laws: serde_json::Value = serde_json::from_slice(&output.stdout).expect("well-formed JSON");
+    assert!(laws.as_array().expect("laws").len() > 5);
+}
+
+#[test]
+fn one_language_or_the_dark_theme_can_be_checked_alone_and_an_index_is_written_only_for_what_it_shows() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let out = folder.path().to_str().expect("the path is text");
+    for options in [&["--lang", "ru"][..], &["--theme", "dark"]] {
+        let write = [&["figures", "--out", out, "--format", "svg"][..], options].concat();
+        assert_eq!(code(&nyquist(&write)), 0);
+        let check = [&["figures", "--out", out, "--check"][..], options].concat();
+        let output = nyquist(&check);
+        assert_eq!(code(&output), 0, "{options:?}: {}", stderr(&output));
+    }
+    assert!(!folder.path().join("index.html").exists());
+    fs::write(folder.path().join("ru/f99-stray.svg"), "<svg/>").expect("written");
+    let output = nyquist(&["figures", "--out", out, "--check", "--lang", "ru"]);
+    assert_eq!(code(&output), 1);
+    assert!(stderr(&output).contains("f99-stray.svg belongs to no figure"), "{}", stderr(&output));
+}

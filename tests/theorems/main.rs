@@ -13,6 +13,7 @@ mod kernel_metrics_are_those_of_the_table;
 mod kernel_responses_are_transforms_of_their_values;
 mod kernels_claim_what_is_true_and_nothing_less;
 mod n_points_integrate_all_degrees_below_n;
+mod positions_and_steps_that_numbers_cannot_hold_are_refused;
 mod positions_may_stray_by_less_than_a_quarter_of_the_step;
 mod reconstruction_closes_the_square;
 mod sampled_steps_ring_by_a_closed_form;
