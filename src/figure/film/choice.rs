@@ -104,7 +104,7 @@ fn choice(params: &Params) -> Result<Figure> {
         "ringing",
         text!("blur and ringing", "размытие и звон"),
         horizontal(),
-        Scale::linear(text!("overshoot, %", "выброс, %"), -4.0, 17.0),
+        Scale::linear(text!("overshoot, %", "выброс, %"), -5.0, 17.0),
     );
     let of_images = |m: &Metrics| [m.smoothing, m.postaliasing];
     let of_ringing = |m: &Metrics| [m.smoothing, 100.0 * m.overshoot];
