@@ -137,7 +137,7 @@ fn bad_input_is_named() {
 fn far_from_zero_a_function_is_not_called_resolved_where_its_argument_has_lost_the_digits() {
     // a faint fast tone beside a slow one, on an interval far out: the spacing of numbers near s hides it
     for s in [1e6f64, 1e9, 1e11, 1e15] {
-        let turn = 2.0 * std::f64::consts::PI;
+        let turn = 2.0 * PI;
         let f = from_fn(move |x: f64| (turn * (x - s)).sin() + 1e-6 * (50.0 * turn * (x - s)).sin());
         match resolve(&f, s..s + 1.0, 1e-10).expect("the interval rises and the tolerance is within its range") {
             Resolution::Resolved(r) => assert!(r.band() == 50.0 && s < 1e6, "{s:e}: band {}", r.band()),
