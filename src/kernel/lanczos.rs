@@ -60,13 +60,7 @@ impl Kernel for Lanczos {
         self.lobes
     }
     fn claims(&self) -> Claims {
-        Claims {
-            interpolating: true,
-            unit_gain: false,
-            reproduces_constants: false,
-            reproduces_lines: false,
-            nonnegative: false,
-        }
+        windowed::CLAIMS
     }
     /// Absolute error below `64ε·(1 + |ν|·a)`.
     fn response(&self, nu: f64) -> f64 {

@@ -84,13 +84,7 @@ impl Kernel for Regularised {
         self.radius
     }
     fn claims(&self) -> Claims {
-        Claims {
-            interpolating: true,
-            unit_gain: false,
-            reproduces_constants: false,
-            reproduces_lines: false,
-            nonnegative: false,
-        }
+        windowed::CLAIMS
     }
     /// By quadrature of the window's spectrum; absolute error below `10⁻¹⁴`.
     fn response(&self, nu: f64) -> f64 {

@@ -1,7 +1,17 @@
 //! What windowed sinc kernels have in common: a response that is their window's spectrum, averaged over a band.
 
+use crate::kernel::Claims;
 use crate::num::quadrature::{even_breaks, integrate_pieces};
 use crate::num::sinc;
+
+/// A window keeps the sinc's zeros, and nothing else: the gain is not one, constants ripple, the lobes go below zero.
+pub(crate) const CLAIMS: Claims = Claims {
+    interpolating: true,
+    unit_gain: false,
+    reproduces_constants: false,
+    reproduces_lines: false,
+    nonnegative: false,
+};
 
 /// `sinc(t)·w(t)` for `|t| ≤ radius`, half of it at the edge, nothing beyond.
 pub(crate) fn value(t: f64, radius: f64, window: impl Fn(f64) -> f64) -> f64 {

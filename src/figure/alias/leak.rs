@@ -149,6 +149,7 @@ fn leak(params: &Params) -> Result<Figure> {
                 "the samples are kept: reconstruction and signal agree at x = 0",
                 "отсчёты сохранены: при x = 0 реконструкция и сигнал совпадают"
             ),
+            // the quadrature's 16ε∫|F| with ∫|F| < 1, and its tolerance per piece of 1e-15 for tens of pieces
             Residual::near("the reconstruction keeps the samples", kept.inverse_at(0.0)?.re, f.at(0.0), 1e-13),
         )
         .claim(
@@ -158,6 +159,7 @@ fn leak(params: &Params) -> Result<Figure> {
                 number(after, 5),
                 number(before, 5)
             ),
+            // the same quadrature, and ε·n·Σ|f| for the rounding of the sum of n < 100 terms with Σ|f| < 3
             Residual::near("low-passed sum of copies = cardinal series of the samples", after, series, 1e-13),
         )
         .claim(
