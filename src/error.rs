@@ -84,6 +84,16 @@ pub enum Error {
         /// The smallest possible number above it.
         above: usize,
     },
+    /// A pattern of points that there is only in another number of dimensions.
+    #[error("dimensions of the pattern {pattern}: only {own} are possible, not {given}")]
+    Dimensions {
+        /// The pattern's name.
+        pattern: String,
+        /// The number of dimensions that it has.
+        own: usize,
+        /// The number asked for.
+        given: usize,
+    },
     /// A size that does not fit into memory or into its type.
     #[error("{what} overflows: {value} is more than {most}")]
     Overflow {

@@ -2,19 +2,39 @@
 
 use crate::cli::Failure;
 use std::fs;
-use std::io::Write;
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
+
+/// A file that may be written: one that does not exist, or, with `force`, one that may be replaced.
+pub(super) fn vacant(path: &Path, force: bool) -> Result<(), Failure> {
+    let trouble = |why: &str| Err(Failure::Trouble(format!("{} {why}", path.display())));
+    match fs::metadata(path) {
+        Err(_) => Ok(()),
+        Ok(there) if !there.is_file() => trouble("is not a file that could be replaced"),
+        Ok(_) if !force => trouble("exists already; --force replaces it"),
+        Ok(_) => Ok(()),
+    }
+}
 
 /// Writes to a temporary file beside the target and renames it, so that an existing file is replaced whole or stays
 /// as it was.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let failed = |error: std::io::Error| Failure::trouble(format!("cannot write {}", path.display()), error);
+    write_with(path, |file| file.write_all(bytes))
+}
+
+/// [`write`] for what is made while it is written.
+pub(super) fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    let failed = |error: io::Error| Failure::trouble(format!("cannot write {}", path.display()), error);
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     fs::create_dir_all(folder).map_err(failed)?;
     let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let temporary = folder.join(format!(".{name}.{}.tmp", std::process::id()));
     let written = fs::File::create(&temporary)
-        .and_then(|mut file| file.write_all(bytes))
+        .and_then(|file| {
+            let mut file = BufWriter::new(file);
+            fill(&mut file)?;
+            file.flush()
+        })
         .and_then(|()| fs::rename(&temporary, path));
     written.map_err(|error| {
         // best effort: the error that matters is the first

@@ -4,6 +4,7 @@ mod figures;
 mod files;
 mod kernel;
 mod laws;
+mod points;
 
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
@@ -38,6 +39,8 @@ enum Command {
     Laws(laws::Args),
     /// List the reconstruction kernels, or tabulate one and its response
     Kernel(kernel::Args),
+    /// Write the points of a sample pattern, and draw their spectrum
+    Points(points::Args),
 }
 
 /// Why the exit code is not zero.
@@ -78,6 +81,7 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Figures(args)) => figures::run(&args, &mut out),
         Some(Command::Laws(args)) => laws::run(&args, &mut out),
         Some(Command::Kernel(args)) => kernel::run(&args, &mut out),
+        Some(Command::Points(args)) => points::run(&args, &mut out),
     };
     match done.and_then(|()| Ok(out.flush()?)) {
         Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,

@@ -1,7 +1,7 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::figure::{Entry, alias, film, formal, further, problem, reconstruction, remedy, synthesis};
+use crate::figure::{Entry, alias, film, formal, further, patterns, problem, reconstruction, remedy, synthesis};
 
 /// The chapters, each with its families.
 static CHAPTERS: &[&[&[Entry]]] = &[
@@ -11,6 +11,7 @@ static CHAPTERS: &[&[&[Entry]]] = &[
     alias::FAMILIES,
     remedy::FAMILIES,
     synthesis::FAMILIES,
+    patterns::FAMILIES,
     film::FAMILIES,
     further::FAMILIES,
 ];

@@ -22,6 +22,7 @@ pub mod blue_noise;
 mod buckets;
 pub mod catalog;
 pub mod cells;
+pub mod cloud;
 pub mod directions;
 pub mod halton;
 pub mod hammersley;

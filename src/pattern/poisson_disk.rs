@@ -1,6 +1,6 @@
 //! Poisson disk patterns: random, but never too close.
 
-use crate::error::{Result, within};
+use crate::error::{Error, Result, within};
 use crate::num::random::{below, bits, unit, word};
 use crate::pattern::{Pattern, countable};
 
@@ -60,9 +60,17 @@ impl PoissonDisk {
     /// The radius that gives about `count` points: `√(4·0.547/(π·count))`. The number deviates by `√(0.06·count)`.
     ///
     /// # Errors
-    /// A number whose radius is out of range: fewer than 3 or more than about 2.9 million.
+    /// Fewer than 3 or more than 2.9 million: their radius would be out of range.
     pub fn with_about(count: usize) -> Result<Self> {
-        Self::new((4.0 * JAMMED / (std::f64::consts::PI * countable(count)? as f64)).sqrt())
+        const MOST: usize = 2_900_000;
+        match countable(count)? {
+            n if n < 3 => Err(Error::TooFew { what: "points of a Poisson disk pattern", least: 3, got: n }),
+            n if n > MOST => {
+                let what = "the number of points of a Poisson disk pattern";
+                Err(Error::Overflow { what, value: n as f64, most: MOST as f64 })
+            }
+            n => Self::new((4.0 * JAMMED / (std::f64::consts::PI * n as f64)).sqrt()),
+        }
     }
 
     /// The same in a square with edges, not on the torus: a few more points, more of them at the edges.

@@ -7,6 +7,7 @@ pub mod integration;
 mod kinetic;
 pub mod periodogram;
 pub mod radial;
+pub mod summary;
 pub mod whiteness;
 
 use crate::error::{Error, Result};
