@@ -49,20 +49,33 @@ impl Model {
 /// # Errors
 /// No patterns, or too far a reach.
 pub fn point_spectrum(pattern: &dyn Pattern<2>, model: Model, patterns: u32, reach: usize) -> Result<Residual> {
-    let found = Periodogram::mean(pattern, 11, patterns, reach)?;
+    Ok(follows(&Periodogram::mean(pattern, 11, patterns, reach)?, model, 1))
+}
+
+/// [`point_spectrum`] of a periodogram that is there already, one of `seeds` that may be tried.
+///
+/// ```
+/// use nyquist::laws::point_spectra::{Model, follows};
+/// use nyquist::prelude::*;
+/// let found = Periodogram::mean(&Jittered::<2>::new([8, 8])?, 1, 100, 12)?;
+/// assert!(follows(&found, Model::Jittered([8, 8], 1.0), 1).holds());
+/// assert!(!follows(&found, Model::White, 1).holds());
+/// # Ok::<(), Error>(())
+/// ```
+pub fn follows(found: &Periodogram, model: Model, seeds: usize) -> Residual {
     let n = found.points();
-    let z = deviations(found.half().count());
-    let phasor = 4.0 * f64::EPSILON * (reach + 1) as f64;
+    let z = deviations(seeds * found.half().count());
+    let phasor = 4.0 * f64::EPSILON * (found.reach() + 1) as f64;
     let excess = |(frequency, power): ([i64; 2], f64)| {
         let [noise, line] = model.at(frequency);
         let expected = noise + line * n;
         let floor = (2.0 * noise * noise + 4.0 * noise / n).sqrt();
-        let deviation = (floor + 2.0 * (line * n * noise).sqrt()) / f64::from(patterns).sqrt();
+        let deviation = (floor + 2.0 * (line * n * noise).sqrt()) / f64::from(found.patterns()).sqrt();
         let rounding = 2.0 * n * phasor * expected.sqrt() + n * phasor * phasor;
         (power - expected).abs() / (z * deviation + rounding)
     };
     let worst = found.half().map(excess).fold(0.0, f64::max);
-    Ok(Residual::at_most("mean periodogram of points, in units of the statistical deviation", worst, 1.0))
+    Residual::at_most("mean periodogram of points, in units of the statistical deviation", worst, 1.0)
 }
 
 /// The greatest power of white noise is about `ln M` times the mean of `M` bins (V32): with probability 998/1000 it lies
@@ -85,12 +98,16 @@ pub fn white_noise_peak(powers: &[f64]) -> Result<Residual> {
 /// No patterns, or too far a reach.
 pub fn band_power(pattern: &dyn Pattern<2>, patterns: u32, [low, high]: [f64; 2]) -> Result<[f64; 2]> {
     let about = pattern.count().unwrap_or_else(|| pattern.points(0).len()) as f64;
-    let found = Periodogram::mean(pattern, 5, patterns, (high * about.sqrt()).ceil() as usize)?;
+    Ok(in_band(&Periodogram::mean(pattern, 5, patterns, (high * about.sqrt()).ceil() as usize)?, [low, high]))
+}
+
+/// [`band_power`] of a periodogram that is there already, and reaches so far.
+pub fn in_band(found: &Periodogram, [low, high]: [f64; 2]) -> [f64; 2] {
     let unit = found.points().sqrt();
     let inside = |[u, v]: [i64; 2]| (low..high).contains(&((u as f64).hypot(v as f64) / unit));
     let powers: Vec<f64> = found.half().filter(|(f, _)| inside(*f)).map(|(_, power)| power).collect();
     let mean = powers.iter().sum::<f64>() / powers.len().max(1) as f64;
-    Ok([mean, mean / (powers.len().max(1) as f64 * f64::from(patterns)).sqrt()])
+    [mean, mean / (powers.len().max(1) as f64 * f64::from(found.patterns())).sqrt()]
 }
 
 /// The power of a saturated Poisson disk pattern at `0.02 ≤ |ν|/√N < 0.1`, and its deviation: the mean over 4000, 1500 and

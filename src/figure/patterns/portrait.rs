@@ -55,7 +55,7 @@ pub fn portrait(name: &str, cloud: &Cloud, summary: &Summary) -> Result<Portrait
     let radial = Panel::new(
         "radial",
         text!("mean over a ring", "среднее по кольцу"),
-        frequencies(reach),
+        frequencies(Text::same("|ν|"), reach),
         Scale::linear(text!("power", "мощность"), 0.0, 1.15 * top),
     )
     .with(Layer::horizontals("white", Meaning::Guide, [1.0]).dashed())
@@ -67,14 +67,21 @@ pub fn portrait(name: &str, cloud: &Cloud, summary: &Summary) -> Result<Portrait
     let anisotropy = Panel::new(
         "anisotropy",
         text!("anisotropy", "анизотропия"),
-        frequencies(reach),
+        frequencies(Text::same("|ν|"), reach),
         Scale::log(text!("variance/mean²", "дисперсия/среднее²"), floor, 2.0 * most),
     )
     .with(Layer::horizontals("white", Meaning::Guide, [1.0]).dashed())
     .with(Layer::line("variance", Meaning::Error, spectrum.rings.iter().map(uneven)).thick());
     let figure = Figure::new(2)
-        .with(points_panel("points", title, Meaning::Samples, points[..shown].iter().copied()))
-        .with(power_panel("spectrum", text!("power spectrum", "спектр мощности"), &spectrum.periodogram, (0.0, 2.0)))
+        .heights([1.4, 1.0])
+        .with(points_panel("points", title, &points[..shown]))
+        .with(power_panel(
+            "spectrum",
+            text!("power spectrum", "спектр мощности"),
+            &spectrum.periodogram,
+            1.0,
+            (0.0, 2.0),
+        ))
         .with(radial)
         .with(anisotropy);
     let [discrepancy, distance, mean] = [discrepancy, distance, spectrum.mean()].map(|v| number(v, 3));

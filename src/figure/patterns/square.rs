@@ -2,15 +2,33 @@
 
 use crate::figure::common::unmarked;
 use crate::figure::{Layer, Meaning, Panel, Scale, Tones};
+use crate::laws::jitter::deviations;
 use crate::pattern::measure::periodogram::Periodogram;
+use crate::text;
 use crate::text::Text;
+use ndarray::Array2;
 
 pub(super) static SEED: Text = Text::fixed("seed of the random numbers", "начальное число генератора");
-pub(super) static SIDE: Text = Text::fixed("cells along a side", "ячеек вдоль стороны");
 
-/// A scale of distances from zero in the plane of frequencies, in cycles per unit of length.
-pub(super) fn frequencies(reach: f64) -> Scale {
-    Scale::linear(Text::same("|ν|"), 0.0, reach)
+/// How many seeds a figure offers: a statistical bound must hold for all of them.
+pub(super) const SEEDS: usize = 100;
+
+/// How many standard deviations the worst of `trials` numbers may be off, for all seeds of a figure.
+pub(super) fn for_all_seeds(trials: usize) -> f64 {
+    deviations(SEEDS * trials)
+}
+
+/// A mean and its standard error.
+pub(super) fn mean(values: &[f64]) -> [f64; 2] {
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let squares: f64 = values.iter().map(|v| (v - mean).powi(2)).sum();
+    [mean, (squares / (n * (n - 1.0).max(1.0))).sqrt()]
+}
+
+/// A scale of distances from zero in the plane of frequencies.
+pub(super) fn frequencies(label: Text, reach: f64) -> Scale {
+    Scale::linear(label, 0.0, reach)
 }
 
 /// The unit square, without numbers.
@@ -19,13 +37,8 @@ pub(super) fn square(name: &'static str, title: Text) -> Panel {
 }
 
 /// The unit square with points in it.
-pub(super) fn points_panel(
-    name: &'static str,
-    title: Text,
-    meaning: Meaning,
-    points: impl IntoIterator<Item = [f64; 2]>,
-) -> Panel {
-    square(name, title).with(Layer::dots("points", meaning, points))
+pub(super) fn points_panel(name: &'static str, title: Text, points: &[[f64; 2]]) -> Panel {
+    square(name, title).with(Layer::dots("points", Meaning::Samples, points.iter().copied()))
 }
 
 /// The lines that cut the unit square into `columns × rows` boxes, as one layer.
@@ -36,31 +49,38 @@ pub(super) fn cell_lines(columns: usize, rows: usize) -> Layer {
     Layer::line("cells", Meaning::Guide, up.chain(across)).thin()
 }
 
-/// A periodogram as tones between `low` and `high`; the line at zero is left out, it is `N` for all patterns.
-pub(super) fn power_panel(name: &'static str, title: Text, found: &Periodogram, tones: (f64, f64)) -> Panel {
-    let reach = found.reach();
-    let mut power = found.power().clone();
-    power[[reach, reach]] = tones.0;
-    let edge = reach as f64 + 0.5;
-    let ticks = || {
-        let mark = round_below(0.8 * reach as f64);
-        [-mark, 0, mark].map(|f| (f as f64, Text::of(f.to_string(), f.to_string())))
-    };
-    Panel::new(
-        name,
-        title,
-        Scale::linear(Text::EMPTY, -edge, edge).ticks(ticks()),
-        Scale::linear(Text::EMPTY, -edge, edge).ticks(ticks()),
-    )
-    .square()
-    .with(Layer::raster("power", (-edge, edge), (-edge, edge), power, tones, Tones::Data))
+/// Crosses through those of the `columns × rows` boxes that hold no point, counted along x first.
+pub(super) fn empty_boxes(columns: usize, rows: usize, counts: &[u32]) -> Layer {
+    let crossed = counts.iter().enumerate().filter(|(_, count)| **count == 0).flat_map(|(i, _)| {
+        let at = |dx: f64, dy: f64| {
+            [((i % columns) as f64 + dx) / columns as f64, ((i / columns) as f64 + dy) / rows as f64]
+        };
+        [at(0.25, 0.25), at(0.75, 0.75), [f64::NAN; 2], at(0.25, 0.75), at(0.75, 0.25), [f64::NAN; 2]]
+    });
+    Layer::line("empty", Meaning::Error, crossed).thin().label(text!("empty", "пусто"))
 }
 
-/// The largest of 1, 2, 4, 8, … and of their threefold that does not exceed `limit`.
-fn round_below(limit: f64) -> i64 {
-    let mut power = 1.0;
-    while 2.0 * power <= limit {
-        power *= 2.0;
-    }
-    (if 1.5 * power <= limit && power > 1.0 { 1.5 * power } else { power }) as i64
+/// A periodogram as tones between `low` and `high`, over frequencies in multiples of `unit`; the line at zero is left out,
+/// it is `N` for all patterns.
+pub(super) fn power_panel(name: &'static str, title: Text, found: &Periodogram, unit: f64, tones: (f64, f64)) -> Panel {
+    let mut power = found.power().clone();
+    power[[found.reach(), found.reach()]] = tones.0;
+    tones_panel(name, title, power, unit, tones)
+}
+
+/// Values at the integer frequencies up to some reach as tones.
+pub(super) fn tones_panel(name: &'static str, title: Text, values: Array2<f64>, unit: f64, tones: (f64, f64)) -> Panel {
+    let reach = (values.ncols() / 2) as f64;
+    let edge = (reach + 0.5) / unit;
+    let mark = (0.9 * reach / unit).floor().max(1.0);
+    let ticks = || [-mark, 0.0, mark].map(|f| (f, Text::of(f.to_string(), f.to_string())));
+    let scale = || Scale::linear(Text::EMPTY, -edge, edge).ticks(ticks());
+    Panel::new(name, title, scale(), scale()).square().with(Layer::raster(
+        "power",
+        (-edge, edge),
+        (-edge, edge),
+        values,
+        tones,
+        Tones::Data,
+    ))
 }
