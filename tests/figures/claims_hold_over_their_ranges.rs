@@ -42,6 +42,11 @@ fn of_stochastic_and_adaptive_sampling() {
 }
 
 #[test]
+fn of_sample_patterns() {
+    tried(&["f49", "f52", "f54"]);
+}
+
+#[test]
 fn of_edges_and_filters() {
     tried(&["f48", "f55", "f57"]);
 }

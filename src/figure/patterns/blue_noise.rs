@@ -24,7 +24,7 @@ static SIDE: Text = Text::fixed("cells along a side of the mask", "ячеек в
 
 const NOISE: Entry = Entry {
     id: "x-blue-noise",
-    inventory: &["V21", "V32"],
+    inventory: &[],
     errata: &["E11"],
     title: &Text::fixed("White noise and blue noise", "Белый шум и синий шум"),
     caption: &Text::fixed(
@@ -120,7 +120,7 @@ fn noise(params: &Params) -> Result<Figure> {
     let spectrum = |name, power: &Array2<f64>| {
         // an odd number of bins, symmetric about zero
         let inner = Array2::from_shape_fn((side - 1, side - 1), |(y, x)| power[[y + 1, x + 1]]);
-        tones_panel(name, text!("its power", "её мощность"), inner, side as f64 / 2.0, (0.0, 2.0))
+        tones_panel(name, text!("its power", "её мощность"), inner, side as f64, (0.0, 2.0))
     };
     let [[p_white, p_blue], [e_white, e_blue]] =
         [[low(&powers[0], LOW).0, low(&powers[1], LOW).0], [blocks(&pictures[0]), blocks(&pictures[1])]];

@@ -21,9 +21,9 @@ static BOX: Text = Text::fixed("side of the box", "сторона ящика");
 
 const DISCREPANCY: Entry = Entry {
     id: "x-discrepancy",
-    inventory: &["V18"],
+    inventory: &[],
     errata: &[],
-    title: &Text::fixed("Discrepancy", "Расхождение"),
+    title: &Text::fixed("Star discrepancy: the worst box", "Звёздное расхождение: худший ящик"),
     caption: &Text::fixed(
         "A box at the origin should hold as large a part of the points as its area is. The box of side 0.3 holds one of four \
          points, so it is off by 0.25 − 0.09 = 0.16; the worst of all boxes is the star discrepancy D*. For random points it \

@@ -2,8 +2,8 @@
 
 use crate::error::Result;
 use crate::figure::params::{Param, Params};
-use crate::figure::patterns::square::{SEED, SEEDS, cell_lines, empty_boxes, for_all_seeds, points_panel};
-use crate::figure::{Entry, Figure, Legend};
+use crate::figure::patterns::square::{SEED, SEEDS, boxes_panel, for_all_seeds};
+use crate::figure::{Entry, Figure, Layer, Meaning};
 use crate::laws::discrepancy::elementary_intervals;
 use crate::pattern::Pattern;
 use crate::pattern::cells::Cells;
@@ -20,16 +20,16 @@ pub static ENTRIES: &[Entry] = &[ELEMENTARY];
 
 const ELEMENTARY: Entry = Entry {
     id: "x-elementary",
-    inventory: &["V20"],
+    inventory: &[],
     errata: &[],
     title: &Text::fixed("One point in every elementary interval", "По точке в каждом элементарном интервале"),
     caption: &Text::fixed(
         "The same 16 points of a (0,2)-sequence in five divisions of the square into 16 boxes: each box of each division holds \
          exactly one. That is jitter and N rooks at once, and all that is in between. Sixteen jittered points, last, keep only \
-         the division 4 × 4; of 16 columns about five stay empty (crossed out).",
+         the division 4 × 4; of 16 columns about five stay empty (shaded).",
         "Одни и те же 16 точек (0,2)-последовательности в пяти разбиениях квадрата на 16 ящиков: в каждом ящике каждого \
          разбиения ровно одна. Это сразу и джиттер, и N ладей, и всё, что между ними. Шестнадцать точек с джиттером \
-         (последний рисунок) соблюдают лишь разбиение 4 × 4: из 16 столбцов пусты около пяти (перечёркнуты).",
+         (последний рисунок) соблюдают лишь разбиение 4 × 4: из 16 столбцов пусты около пяти (закрашены).",
     ),
     params: &[Param::count("seed", &SEED, 1, 1, SEEDS)],
     build: |params| elementary(params),
@@ -45,9 +45,7 @@ fn elementary(params: &Params) -> Result<Figure> {
     for (name, [across, up]) in
         [("1x16", [1, 16]), ("2x8", [2, 8]), ("4x4", [4, 4]), ("8x2", [8, 2]), ("16x1", [16, 1])]
     {
-        figure = figure.with(
-            points_panel(name, text!("{across} × {up}", "{across} × {up}"), &points).with(cell_lines(across, up)),
-        );
+        figure = figure.with(boxes_panel(name, text!("{across} × {up}", "{across} × {up}"), [across, up], &points));
     }
     let drawn = jitter.points(pattern_seed(seed, 0));
     let counts = occupancy(&drawn, columns)?;
@@ -57,13 +55,13 @@ fn elementary(params: &Params) -> Result<Figure> {
     // four points into the four columns of each column of cells: one stays empty with (3/4)⁴, two with (2/4)⁴
     let (one, two) = (0.75f64.powi(4), 0.5f64.powi(4));
     let (expected, variance) = (16.0 * one, 4.0 * (4.0 * one + 12.0 * two - (4.0 * one).powi(2)));
+    let gaps = counts.iter().zip(0..).filter(|(count, _)| **count == 0).map(|(_, i)| i);
+    let gaps: Vec<[f64; 2]> = gaps.map(|i| [f64::from(i), f64::from(i) + 1.0].map(|c| c / 16.0)).collect();
+    let title = text!("jitter: {} columns empty", "джиттер: пусто {} из 16", gaps.len());
+    let mut last = boxes_panel("jittered", title, [16, 1], &drawn);
+    last.layers.insert(0, Layer::spans("empty", Meaning::Error, gaps));
     Ok(figure
-        .with(
-            points_panel("jittered", text!("jitter: 16 × 1", "джиттер: 16 × 1"), &drawn)
-                .with(cell_lines(16, 1))
-                .with(empty_boxes(16, 1, &counts))
-                .legend(Legend::Above),
-        )
+        .with(last)
         .claim(
             text!(
                 "(0,2): one point in each box of all five divisions",

@@ -115,11 +115,11 @@ const SPECTRA: Entry = Entry {
     errata: &["E11"],
     title: &Text::fixed("Their power spectra", "Их спектры мощности"),
     caption: &Text::fixed(
-        "Frequencies in units of √N; random patterns are averaged. Dark is no noise, 1 is white noise. Halton and Hammersley \
-         have spikes: aliases stay copies. N rooks is dark on the axes only, multi-jitter around zero, too. Best candidate and \
+        "Frequencies in units of √N; random patterns are averaged. Dark is no noise, 1 is white noise. Halton, \
+         Hammersley and (0,2) have spikes: aliases stay copies; Owen's scrambling makes noise of them. N rooks is dark on the axes only, multi-jitter around zero, too. Best candidate and \
          Poisson disk are dark in a disk around zero with a bright ring about it, the same in all directions.",
-        "Частоты в единицах √N, случайные узоры усреднены. Тёмное — шума нет, 1 — белый шум. У Холтона и Хаммерсли пики: \
-         алиасы остаются копиями. N ладей темны лишь на осях, мультиджиттер — и вокруг нуля. Лучший кандидат и диски Пуассона \
+        "Частоты в единицах √N, случайные узоры усреднены. Тёмное — шума нет, 1 — белый шум. У Холтона, Хаммерсли и \
+         (0,2) пики: алиасы остаются копиями; перемешивание Оуэна превращает их в шум. N ладей темны лишь на осях, мультиджиттер — и вокруг нуля. Лучший кандидат и диски Пуассона \
          темны в круге вокруг нуля, обведённом ярким кольцом, одинаково во всех направлениях.",
     ),
     params: &[Param::count("seed", &SEED, 1, 1, SEEDS)],
@@ -128,8 +128,8 @@ const SPECTRA: Entry = Entry {
 
 /// How many patterns are averaged.
 const PATTERNS: u32 = 30;
-/// The largest frequency, twice √N.
-const REACH: usize = 32;
+/// The largest frequency, a little beyond twice √N.
+const REACH: usize = 36;
 
 fn spectra(seed: u64) -> Result<Figure> {
     let mut figure = Figure::new(4);
@@ -280,7 +280,7 @@ fn measures(params: &Params) -> Result<Figure> {
         .clone()
         .with(Layer::horizontals("hexagonal", Meaning::Guide, [1.0]).dashed())
         .with(Layer::dots("patterns", Meaning::Samples, places.iter().copied()))
-        .with(labels("names", &panel, 76.0, &places, &names));
+        .with(labels("names", &panel, 50.0, &places, &names));
     let of = |name| Ok(by_name(name, n)?.points(pattern_seed(seed, 0)));
     let z = for_all_seeds(1);
     let [random, jitter] = ["random", "jittered"].map(index);

@@ -20,7 +20,7 @@ pub static ENTRIES: &[Entry] = &[BOTH];
 
 const BOTH: Entry = Entry {
     id: "x-jitter-poisson",
-    inventory: &["V10", "V21"],
+    inventory: &[],
     errata: &["E11"],
     title: &Text::fixed("256 points: jitter and Poisson disk", "256 точек: джиттер и диски Пуассона"),
     caption: &Text::fixed(
@@ -70,7 +70,7 @@ fn both(seed: u64) -> Result<Figure> {
     .legend(Legend::Above)
     .with(Layer::horizontals("plateau", Meaning::Guide, [PLATEAU[0]]).dashed())
     .with(
-        Layer::line("disks", Meaning::Series(1), places(&curves[1]))
+        Layer::line("disks", Meaning::Signal, places(&curves[1]))
             .thick()
             .label(text!("Poisson disk", "диски Пуассона")),
     )

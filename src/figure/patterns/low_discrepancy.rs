@@ -23,7 +23,7 @@ static POWER: Text = Text::fixed("N = 2^{m} points", "N = 2^{m} точек");
 
 const INVERSE: Entry = Entry {
     id: "x-low-discrepancy",
-    inventory: &["V18", "V20"],
+    inventory: &[],
     errata: &[],
     title: &Text::fixed("Digits mirrored at the point", "Цифры, отражённые в запятой"),
     caption: &Text::fixed(
@@ -67,8 +67,8 @@ fn inverse(m: u32) -> Result<Figure> {
         [2, 1]
     };
     let [a, b] = [1usize << boxes[0], 3usize.pow(boxes[1])];
-    Ok(Figure::new(3)
-        .with(digits)
+    Ok(Figure::new(4)
+        .with(digits.span(2))
         .with(points_panel("halton", text!("Halton, N = {n}", "Холтон, N = {n}"), &halton))
         .with(points_panel("hammersley", text!("Hammersley, N = {n}", "Хаммерсли, N = {n}"), &hammersley))
         .claim(
@@ -99,7 +99,7 @@ fn inverse(m: u32) -> Result<Figure> {
 
 const SCRAMBLING: Entry = Entry {
     id: "x-halton-scrambling",
-    inventory: &["V20"],
+    inventory: &[],
     errata: &[],
     title: &Text::fixed("Halton in bases 29 and 31", "Холтон по основаниям 29 и 31"),
     caption: &Text::fixed(

@@ -1,8 +1,9 @@
 //! Regular and jittered points in the plane, and their spectra (slides «Равномерное сэмплирование», «Jittered Sampling»).
 
 use crate::error::Result;
+use crate::figure::common::unmarked;
 use crate::figure::params::{Param, Params};
-use crate::figure::patterns::square::{SEED, SEEDS, cell_lines, points_panel, power_panel, square, tones_panel};
+use crate::figure::patterns::square::{SEED, SEEDS, cell_lines, points_panel, power_panel, tones_panel};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::laws::point_spectra::{Model, follows};
 use crate::num::sinc;
@@ -57,8 +58,10 @@ fn regular(side: usize) -> Result<Figure> {
         Scale::linear(Text::same("u"), -edge, edge).ticks(ticks()),
         Scale::linear(text!("power", "мощность"), 0.0, 1.15 * n),
     )
-    .with(Layer::stems("row", Meaning::Samples, (-far..=far).map(|u| [u as f64, found.at(u, 0)])).thin());
-    Ok(Figure::new(3)
+    .span(2)
+    .with(Layer::stems("row", Meaning::Samples, (-far..=far).map(|u| [u as f64, found.at(u, 0)])));
+    Ok(Figure::new(2)
+        .heights([1.7, 1.0])
         .with(points_panel("points", text!("{side} × {side} points", "{side} × {side} точек"), &points))
         .with(
             Panel::new("spectrum", text!("where there is power", "где есть мощность"), scale(), scale())
@@ -122,11 +125,19 @@ fn jittered(params: &Params) -> Result<Figure> {
     };
     let mut theory = Array2::from_shape_fn((2 * REACH + 1, 2 * REACH + 1), |(y, x)| at(x as i64 - far, y as i64 - far));
     theory[[REACH, REACH]] = 0.0;
-    let arrows = square("moved", text!("within the cells", "в пределах ячеек"))
-        .with(cell_lines(CELLS, CELLS))
-        .with(Layer::pointers("moves", Meaning::Guide, grid.iter().zip(&moved).map(|(&from, &to)| [from, to])))
-        .with(Layer::dots("grid", Meaning::Replica, grid.iter().copied()))
-        .with(Layer::dots("jittered", Meaning::Samples, moved.iter().copied()));
+    // a quarter of the square, so that the arrows can be seen
+    let seen = || grid.iter().zip(&moved).filter(|(from, _)| from.iter().all(|&c| c < 0.5));
+    let arrows = Panel::new(
+        "moved",
+        text!("moved within the cells", "сдвиги внутри ячеек"),
+        unmarked(0.0, 0.5),
+        unmarked(0.0, 0.5),
+    )
+    .square()
+    .with(cell_lines(CELLS, CELLS))
+    .with(Layer::dots("grid", Meaning::Replica, seen().map(|(&from, _)| from)))
+    .with(Layer::dots("jittered", Meaning::Samples, seen().map(|(_, &to)| to)))
+    .with(Layer::pointers("moves", Meaning::Guide, seen().map(|(&from, &to)| [from, to])));
     let floor = |nu: f64| 1.0 - sinc(amount * nu).powi(2);
     let edge = (REACH as f64 + 0.5) / cells;
     let axis = Panel::new(

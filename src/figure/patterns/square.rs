@@ -4,7 +4,6 @@ use crate::figure::common::unmarked;
 use crate::figure::{Layer, Meaning, Panel, Scale, Tones};
 use crate::laws::jitter::deviations;
 use crate::pattern::measure::periodogram::Periodogram;
-use crate::text;
 use crate::text::Text;
 use ndarray::Array2;
 
@@ -41,23 +40,21 @@ pub(super) fn points_panel(name: &'static str, title: Text, points: &[[f64; 2]])
     square(name, title).with(Layer::dots("points", Meaning::Samples, points.iter().copied()))
 }
 
+/// The unit square, cut into `columns × rows` boxes, with points in it.
+pub(super) fn boxes_panel(name: &'static str, title: Text, [columns, rows]: [usize; 2], points: &[[f64; 2]]) -> Panel {
+    square(name, title).with(cell_lines(columns, rows)).with(Layer::dots(
+        "points",
+        Meaning::Samples,
+        points.iter().copied(),
+    ))
+}
+
 /// The lines that cut the unit square into `columns × rows` boxes, as one layer.
 pub(super) fn cell_lines(columns: usize, rows: usize) -> Layer {
     let part = |i: usize, n: usize| i as f64 / n as f64;
     let up = (1..columns).flat_map(|i| [[part(i, columns), 0.0], [part(i, columns), 1.0], [f64::NAN; 2]]);
     let across = (1..rows).flat_map(|i| [[0.0, part(i, rows)], [1.0, part(i, rows)], [f64::NAN; 2]]);
     Layer::line("cells", Meaning::Guide, up.chain(across)).thin()
-}
-
-/// Crosses through those of the `columns × rows` boxes that hold no point, counted along x first.
-pub(super) fn empty_boxes(columns: usize, rows: usize, counts: &[u32]) -> Layer {
-    let crossed = counts.iter().enumerate().filter(|(_, count)| **count == 0).flat_map(|(i, _)| {
-        let at = |dx: f64, dy: f64| {
-            [((i % columns) as f64 + dx) / columns as f64, ((i / columns) as f64 + dy) / rows as f64]
-        };
-        [at(0.25, 0.25), at(0.75, 0.75), [f64::NAN; 2], at(0.25, 0.75), at(0.75, 0.25), [f64::NAN; 2]]
-    });
-    Layer::line("empty", Meaning::Error, crossed).thin().label(text!("empty", "пусто"))
 }
 
 /// A periodogram as tones between `low` and `high`, over frequencies in multiples of `unit`; the line at zero is left out,
@@ -72,7 +69,9 @@ pub(super) fn power_panel(name: &'static str, title: Text, found: &Periodogram, 
 pub(super) fn tones_panel(name: &'static str, title: Text, values: Array2<f64>, unit: f64, tones: (f64, f64)) -> Panel {
     let reach = (values.ncols() / 2) as f64;
     let edge = (reach + 0.5) / unit;
-    let mark = (0.9 * reach / unit).floor().max(1.0);
+    // whole units, or quarters where there is no whole one
+    let most = 0.9 * reach / unit;
+    let mark = if most >= 1.0 { most.floor() } else { (4.0 * most).floor() / 4.0 };
     let ticks = || [-mark, 0.0, mark].map(|f| (f, Text::of(f.to_string(), f.to_string())));
     let scale = || Scale::linear(Text::EMPTY, -edge, edge).ticks(ticks());
     Panel::new(name, title, scale(), scale()).square().with(Layer::raster(

@@ -2,10 +2,8 @@
 
 use crate::error::Result;
 use crate::figure::params::{Param, Params};
-use crate::figure::patterns::square::{
-    SEED, SEEDS, cell_lines, empty_boxes, for_all_seeds, mean, points_panel, power_panel,
-};
-use crate::figure::{Entry, Figure, Layer, Legend, Meaning};
+use crate::figure::patterns::square::{SEED, SEEDS, boxes_panel, for_all_seeds, mean, power_panel};
+use crate::figure::{Entry, Figure, Layer, Meaning};
 use crate::laws::discrepancy::grid_discrepancy;
 use crate::pattern::Pattern;
 use crate::pattern::cells::Cells;
@@ -40,10 +38,21 @@ const STRATIFIED: Entry = Entry {
     build: |params| stratified(params),
 };
 
+/// The largest frequency: two spikes of the grid on every side of zero, and a margin.
+const REACH: usize = 5 * SIDE / 2;
 /// Cells along a side.
 const SIDE: usize = 16;
 /// How many patterns means are taken over.
 const PATTERNS: u32 = 60;
+
+/// Crosses through the cells that hold no point.
+fn crosses(counts: &[u32]) -> Layer {
+    let crossed = counts.iter().enumerate().filter(|(_, count)| **count == 0).flat_map(|(i, _)| {
+        let at = |dx: f64, dy: f64| [(i % SIDE) as f64 + dx, (i / SIDE) as f64 + dy].map(|c| c / SIDE as f64);
+        [at(0.25, 0.25), at(0.75, 0.75), [f64::NAN; 2], at(0.25, 0.75), at(0.75, 0.25), [f64::NAN; 2]]
+    });
+    Layer::line("empty", Meaning::Error, crossed)
+}
 
 fn stratified(params: &Params) -> Result<Figure> {
     let seed = params.count("seed") as u64;
@@ -51,25 +60,37 @@ fn stratified(params: &Params) -> Result<Figure> {
     let n = cells.total() as f64;
     let (random, grid, jittered) =
         (Random::new(cells.total())?, Regular::new([SIDE, SIDE])?, Jittered::new([SIDE, SIDE])?);
-    let kinds: [(&'static str, &'static str, Text, &dyn Pattern<2>); 3] = [
-        ("random", "random-power", text!("(a) random", "(a) случайные"), &random),
-        ("grid", "grid-power", text!("(b) regular", "(b) сетка"), &grid),
-        ("jittered", "jittered-power", text!("(c) jittered", "(c) джиттер"), &jittered),
+    let kinds: [(&'static str, &'static str, Text, Text, &dyn Pattern<2>); 3] = [
+        (
+            "random",
+            "random-power",
+            text!("(a) random, × is empty", "(a) случайные, × — пусто"),
+            text!("white noise", "белый шум"),
+            &random,
+        ),
+        ("grid", "grid-power", text!("(b) regular", "(b) сетка"), text!("spikes", "пики"), &grid),
+        (
+            "jittered",
+            "jittered-power",
+            text!("(c) jittered", "(c) джиттер"),
+            text!("no noise around zero", "вокруг нуля шума нет"),
+            &jittered,
+        ),
     ];
     let mut figure = Figure::new(3);
-    for (name, _, title, pattern) in &kinds {
+    for (name, _, title, _, pattern) in &kinds {
         let points = pattern.points(pattern_seed(seed, 0));
         let counts = occupancy(&points, cells)?;
-        let panel = points_panel(name, title.clone(), &points).with(cell_lines(SIDE, SIDE));
-        let panel = if counts.contains(&0) { panel.with(empty_boxes(SIDE, SIDE, &counts)) } else { panel };
-        figure = figure.with(panel.legend(Legend::Above));
+        let panel = boxes_panel(name, title.clone(), [SIDE, SIDE], &points);
+        let panel = if counts.contains(&0) { panel.with(crosses(&counts)) } else { panel };
+        figure = figure.with(panel);
     }
-    for (_, name, _, pattern) in &kinds {
+    for (_, name, _, title, pattern) in &kinds {
         let patterns = if *name == "grid-power" { 1 } else { PATTERNS };
-        let found = Periodogram::mean(*pattern, seed, patterns, 2 * SIDE)?;
-        let mut panel = power_panel(name, text!("its power", "его мощность"), &found, SIDE as f64, (0.0, 1.5));
+        let found = Periodogram::mean(*pattern, seed, patterns, REACH)?;
+        let mut panel = power_panel(name, title.clone(), &found, SIDE as f64, (0.0, 1.5));
         if *name == "grid-power" {
-            let far = 2 * SIDE as i64;
+            let far = REACH as i64;
             let all = (-far..=far).flat_map(|v| (-far..=far).map(move |u| [u, v]));
             let lines = all.filter(|[u, v]| found.at(*u, *v) > 0.5 * n).map(|f| f.map(|f| f as f64 / SIDE as f64));
             panel = panel.with(Layer::dots("lines", Meaning::Replica, lines));

@@ -2,7 +2,7 @@
 
 use crate::error::Result;
 use crate::figure::params::{Param, Params};
-use crate::figure::patterns::square::{SEED, SEEDS, cell_lines, points_panel};
+use crate::figure::patterns::square::{SEED, SEEDS, boxes_panel, points_panel};
 use crate::figure::{Entry, Figure, Layer, Meaning, Panel, Scale};
 use crate::num::random::uniform;
 use crate::pattern::Pattern;
@@ -21,7 +21,7 @@ static SIDE: Text = Text::fixed("cells along a side", "ячеек вдоль с�
 
 const WORST: Entry = Entry {
     id: "x-worst-strata",
-    inventory: &["V15", "V18"],
+    inventory: &[],
     errata: &[],
     title: &Text::fixed("The worst that strata allow", "Худшее, что допускают страты"),
     caption: &Text::fixed(
@@ -67,7 +67,7 @@ fn worst(params: &Params) -> Result<Figure> {
             Scale::linear(Text::same("x"), 0.0, 1.0),
             Scale::linear(text!("in a strip", "в полосе"), 0.0, 1.15 * top),
         )
-        .with(Layer::stems("strips", Meaning::Error, strips(points)).thin())
+        .with(Layer::stems("strips", Meaning::Error, strips(points)))
     };
     let most = |points: &[[f64; 2]]| strips(points).iter().map(|p| p[1]).fold(0.0, f64::max);
     let lines = |points: &[[f64; 2]]| {
@@ -79,12 +79,9 @@ fn worst(params: &Params) -> Result<Figure> {
     let (bad, diagonal, good) = (bad?, diagonal?, good?);
     Ok(Figure::new(3)
         .heights([1.5, 1.0])
-        .with(
-            points_panel("jittered", text!("jitter, at worst", "джиттер, худший"), &jittered)
-                .with(cell_lines(side, side)),
-        )
+        .with(boxes_panel("jittered", text!("jitter, at worst", "джиттер, худший"), [side, side], &jittered))
         .with(points_panel("rooks", text!("N rooks, at worst", "N ладей, худшие"), &rooks))
-        .with(points_panel("multi", text!("multi-jitter", "мультиджиттер"), &multi).with(cell_lines(side, side)))
+        .with(boxes_panel("multi", text!("multi-jitter", "мультиджиттер"), [side, side], &multi))
         .with(below("jittered-strips", &jittered))
         .with(below("rooks-strips", &rooks))
         .with(below("multi-strips", &multi))
