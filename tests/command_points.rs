@@ -71,7 +71,7 @@ fn bad_wishes_are_errors_that_say_what_is_possible_and_nothing_is_written() {
     let (csv, svg) = (folder.path().join("out.csv"), folder.path().join("out.svg"));
     for (args, message) in [
         (&["jittered", "-n", "1000"][..], "the nearest numbers are 961 and 1024"),
-        (&["jittered", "-n", "1000", "--dim", "3", "--json"], "cells of a square or cubic grid"),
+        (&["jittered", "-n", "999", "--dim", "3", "--json"], "the nearest numbers are 729 and 1000"),
         (&["sobol", "-n", "0"], "at least 1 needed, got 0"),
         (&["poisson-disk", "-n", "2"], "at least 3 needed, got 2"),
         (&["sobol", "-n", "99999999999"], "is more than 67108864"),

@@ -120,7 +120,7 @@ fn noise(params: &Params) -> Result<Figure> {
     let spectrum = |name, power: &Array2<f64>| {
         // an odd number of bins, symmetric about zero
         let inner = Array2::from_shape_fn((side - 1, side - 1), |(y, x)| power[[y + 1, x + 1]]);
-        tones_panel(name, text!("its power", "её мощность"), inner, side as f64, (0.0, 2.0))
+        tones_panel(name, text!("its power", "его мощность"), inner, side as f64, (0.0, 2.0))
     };
     let [[p_white, p_blue], [e_white, e_blue]] =
         [[low(&powers[0], LOW).0, low(&powers[1], LOW).0], [blocks(&pictures[0]), blocks(&pictures[1])]];
@@ -132,10 +132,10 @@ fn noise(params: &Params) -> Result<Figure> {
     Ok(Figure::new(3)
         .with(raster("white", text!("white noise", "белый шум"), masks[0].clone()))
         .with(spectrum("white-power", &powers[0]))
-        .with(raster("white-ramp", text!("dithered by it", "градиент через неё"), pictures[0].clone()))
+        .with(raster("white-ramp", text!("dithered by it", "градиент через него"), pictures[0].clone()))
         .with(raster("blue", text!("blue noise", "синий шум"), masks[1].clone()))
         .with(spectrum("blue-power", &powers[1]))
-        .with(raster("blue-ramp", text!("dithered by it", "градиент через неё"), pictures[1].clone()))
+        .with(raster("blue-ramp", text!("dithered by it", "градиент через него"), pictures[1].clone()))
         .claim(
             text!(
                 "white: the power below {LOW} cycles per cell is {} of the mean",

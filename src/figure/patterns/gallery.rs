@@ -240,18 +240,18 @@ static MEASURED: [(&str, Text); 12] = [
 ];
 
 fn measures(params: &Params) -> Result<Figure> {
-    const TRIALS: u32 = 12;
     let seed = params.count("seed") as u64;
-    let n: usize = match params.choice("N") {
-        "64" => 64,
-        "1024" => 1024,
-        _ => 256,
+    // fewer points deviate more
+    let (n, trials): (usize, u32) = match params.choice("N") {
+        "64" => (64, 60),
+        "1024" => (1024, 12),
+        _ => (256, 30),
     };
     let side = (n as f64).sqrt() as usize;
     let (mut places, mut errors, mut farthest) = (Vec::new(), Vec::new(), 0.0f64);
     for (name, _) in &MEASURED {
         let pattern = by_name(name, n)?;
-        let sets: Vec<_> = (0..TRIALS).map(|trial| pattern.points(pattern_seed(seed, trial))).collect();
+        let sets: Vec<_> = (0..trials).map(|trial| pattern.points(pattern_seed(seed, trial))).collect();
         let even = sets.iter().map(|p| star_discrepancy(p)).collect::<Result<Vec<_>>>()?;
         let apart =
             sets.iter().map(|p| Ok(min_distance_torus(p)? / most_distance(p.len()))).collect::<Result<Vec<_>>>()?;
@@ -266,7 +266,7 @@ fn measures(params: &Params) -> Result<Figure> {
     let most = places.iter().map(|p| p[0]).fold(0.0, f64::max);
     let panel = Panel::new(
         "plane",
-        text!("{n} points, means of {TRIALS}", "{n} точек, среднее из {TRIALS}"),
+        text!("{n} points, means of {trials}", "{n} точек, среднее из {trials}"),
         Scale::log(text!("star discrepancy D*", "звёздное расхождение D*"), 0.75 * least, 1.35 * most),
         Scale::linear(
             text!("least distance, of the greatest possible", "наименьшее расстояние, от возможного"),
@@ -280,7 +280,7 @@ fn measures(params: &Params) -> Result<Figure> {
         .clone()
         .with(Layer::horizontals("hexagonal", Meaning::Guide, [1.0]).dashed())
         .with(Layer::dots("patterns", Meaning::Samples, places.iter().copied()))
-        .with(labels("names", &panel, 50.0, &places, &names));
+        .with(labels("names", &panel, 60.0, &places, &names));
     let of = |name| Ok(by_name(name, n)?.points(pattern_seed(seed, 0)));
     let z = for_all_seeds(1);
     let [random, jitter] = ["random", "jittered"].map(index);

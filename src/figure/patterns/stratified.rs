@@ -73,7 +73,7 @@ fn stratified(params: &Params) -> Result<Figure> {
             "jittered",
             "jittered-power",
             text!("(c) jittered", "(c) джиттер"),
-            text!("no noise around zero", "вокруг нуля шума нет"),
+            text!("little noise near zero", "у нуля шума мало"),
             &jittered,
         ),
     ];
