@@ -1,7 +1,11 @@
 //! Ways against aliasing: prefiltering, uniform and stochastic supersampling, adaptive sampling.
 
 pub mod adaptive;
+mod board;
 pub mod chart;
+pub mod checkerboard;
+pub mod checkerboard_noise;
+pub mod checkerboard_rays;
 pub mod jitter;
 pub mod prefilter;
 pub mod random;
@@ -19,5 +23,8 @@ pub static FAMILIES: &[&[Entry]] = &[
     regular::ENTRIES,
     random::ENTRIES,
     jitter::ENTRIES,
+    checkerboard::ENTRIES,
+    checkerboard_noise::ENTRIES,
+    checkerboard_rays::ENTRIES,
     adaptive::ENTRIES,
 ];
