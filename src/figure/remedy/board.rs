@@ -18,6 +18,12 @@ use std::ops::Range;
 
 /// The pictures are so many pixels wide and high.
 pub(super) const SIDE: usize = 128;
+/// All columns, and the rows that are shown: below them there are four squares and no surprise.
+pub(super) const ACROSS: Range<usize> = 0..SIDE;
+pub(super) const SHOWN: Range<usize> = 0..SIDE / 2;
+/// The part that is shown enlarged.
+pub(super) const COLUMNS: Range<usize> = 40..88;
+pub(super) const NEAR_HORIZON: Range<usize> = 0..16;
 /// The rows that pictures are compared in: without the first one, which touches the horizon, where there is no end of
 /// squares.
 pub(super) const ROWS: Range<usize> = 1..SIDE;
@@ -45,7 +51,7 @@ impl Board {
 
     /// The root mean square difference to the exact picture.
     pub(super) fn error(&self, image: &Image, rows: Range<usize>) -> f64 {
-        let differences = part(&(image.pixels() - self.exact.pixels()), 0..SIDE, rows);
+        let differences = part(&(image.pixels() - self.exact.pixels()), ACROSS, rows);
         (differences.iter().map(|d| d * d).sum::<f64>() / differences.len() as f64).sqrt()
     }
 
@@ -118,12 +124,12 @@ pub(super) fn sampled(scene: &impl Field, grid: Grid, pattern: &dyn Pattern<2>, 
 /// The power spectrum of a picture's error in the rows [`ERRING`], zero frequency in the middle.
 pub(super) fn error_power(board: &Board, image: &Image) -> Result<Image> {
     let error = image.pixels() - board.exact.pixels();
-    Ok(forward(&Image::trusted(Grid::pixels(SIDE, ERRING.len())?, part(&error, 0..SIDE, ERRING))).power())
+    Ok(forward(&Image::trusted(Grid::pixels(SIDE, ERRING.len())?, part(&error, ACROSS, ERRING))).power())
 }
 
 /// The power spectrum of the error along one row, at the positive frequencies below Nyquist.
 pub(super) fn row_power(board: &Board, image: &Image, row: usize) -> Result<Vec<[f64; 2]>> {
-    let error = part(&(image.pixels() - board.exact.pixels()), 0..SIDE, row..row + 1);
+    let error = part(&(image.pixels() - board.exact.pixels()), ACROSS, row..row + 1);
     let power = forward(&Image::trusted(Grid::pixels(SIDE, 1)?, error)).power();
     let positive = power.grid().x().iter().zip(power.values()).filter(|(nu, _)| *nu > 0.0);
     Ok(positive.map(|(nu, p)| [nu, *p]).collect())
@@ -141,22 +147,47 @@ pub(super) fn bins(power: &Image) -> Vec<f64> {
 }
 
 /// A part of a picture, as it is seen: the first row on top.
-pub(super) fn view(name: &'static str, title: Text, image: &Image, columns: Range<usize>, rows: Range<usize>) -> Panel {
-    let ends = |range: &Range<usize>| (range.start as f64, range.end as f64);
-    let (x, y) = (ends(&columns), ends(&rows));
-    let values = part(image.pixels(), columns, rows);
+fn view(name: &'static str, title: Text, image: &Image, columns: Range<usize>, rows: Range<usize>) -> Panel {
+    raster(name, title, &part(image.pixels(), columns.clone(), rows.clone()), columns, rows, ((0.0, 1.0), Tones::Grey))
+}
+
+/// Values of all pixels, as many of them as are shown, in tones for the range of the values.
+pub(super) fn map(name: &'static str, title: Text, values: &Array2<f64>, tones: ((f64, f64), Tones)) -> Panel {
+    raster(name, title, &part(values, ACROSS, SHOWN), ACROSS, SHOWN, tones)
+}
+
+fn raster(
+    name: &'static str,
+    title: Text,
+    values: &Array2<f64>,
+    columns: Range<usize>,
+    rows: Range<usize>,
+    (range, tones): ((f64, f64), Tones),
+) -> Panel {
+    let ends = |range: Range<usize>| (range.start as f64, range.end as f64);
+    let (x, y) = (ends(columns), ends(rows));
     Panel::new(name, title, unmarked(x.0, x.1), unmarked(y.1, y.0)).square().with(Layer::raster(
         "pixels",
         x,
         y,
-        values,
-        (0.0, 1.0),
-        Tones::Grey,
+        values.clone(),
+        range,
+        tones,
     ))
 }
 
-/// The frame of a part of a picture.
-pub(super) fn frame(columns: &Range<usize>, rows: &Range<usize>) -> Layer {
-    let [x0, x1, y0, y1] = [columns.start, columns.end, rows.start, rows.end].map(|v| v as f64);
+/// A picture, as much of it as is shown.
+pub(super) fn whole(name: &'static str, title: Text, image: &Image) -> Panel {
+    view(name, title, image, ACROSS, SHOWN)
+}
+
+/// The part near the horizon, enlarged.
+pub(super) fn enlarged(name: &'static str, image: &Image) -> Panel {
+    view(name, Text::EMPTY, image, COLUMNS, NEAR_HORIZON)
+}
+
+/// The frame of the part that is enlarged.
+pub(super) fn frame() -> Layer {
+    let [x0, x1, y0, y1] = [COLUMNS.start, COLUMNS.end, NEAR_HORIZON.start, NEAR_HORIZON.end].map(|v| v as f64);
     Layer::line("part", Meaning::Error, [[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]])
 }

@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::field::{ExactMean, Field};
 use crate::figure::common::values;
 use crate::figure::params::Param;
-use crate::figure::remedy::board::{Board, ROWS, SIDE, frame, view};
+use crate::figure::remedy::board::{Board, NEAR_HORIZON, ROWS, SIDE, enlarged, frame, map, whole};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use crate::laws::coverage::{area_gain, edges_of_checkerboard, mean_by_counting};
 use crate::num::sinc;
@@ -13,7 +13,6 @@ use crate::pattern::regular::Regular;
 use crate::residual::Residual;
 use crate::text;
 use crate::text::{Text, number};
-use std::ops::Range;
 
 /// The figures of this family.
 pub static ENTRIES: &[Entry] = &[UNIFORM, AREA];
@@ -40,9 +39,6 @@ const UNIFORM: Entry = Entry {
     build: |params| uniform(params.count("n")),
 };
 
-/// The part of the pictures that is shown enlarged.
-const COLUMNS: Range<usize> = 40..88;
-const NEAR_HORIZON: Range<usize> = 0..16;
 /// The pixels right of the middle: below the first row they see one row of squares only, `⌊u⌋ = 0`.
 const MIDDLE: usize = SIDE / 2;
 
@@ -80,16 +76,15 @@ fn uniform(n: usize) -> Result<Figure> {
         1 => text!("1 sample, error {}", "1 отсчёт, ошибка {}", number(error, 3)),
         _ => text!("{0} × {0}, error {1}", "{0} × {0}, ошибка {1}", n, number(error, 3)),
     };
-    let whole = 0..SIDE;
     let contrast = |image: &crate::image::Image, j: usize| (image.at(MIDDLE, j) - 0.5).abs();
     let excess = |j: &usize| contrast(&means, *j) - contrast(&board.exact, *j);
     let falsest = ROWS.max_by(|a, b| excess(a).total_cmp(&excess(b))).unwrap_or_default();
     let mut figure = Figure::new(2)
         .heights([1.0, 0.72])
-        .with(view("point", title(1, one), &point, whole.clone(), whole.clone()).with(frame(&COLUMNS, &NEAR_HORIZON)))
-        .with(view("uniform", title(n, many), &means, whole.clone(), whole).with(frame(&COLUMNS, &NEAR_HORIZON)))
-        .with(view("point-far", Text::EMPTY, &point, COLUMNS, NEAR_HORIZON).with(ghost(1)))
-        .with(view("uniform-far", Text::EMPTY, &means, COLUMNS, NEAR_HORIZON).with(ghost(n)))
+        .with(whole("point", title(1, one), &point).with(frame()))
+        .with(whole("uniform", title(n, many), &means).with(frame()))
+        .with(enlarged("point-far", &point).with(ghost(1)))
+        .with(enlarged("uniform-far", &means).with(ghost(n)))
         .claim(
             text!(
                 "root mean square errors to exact area: {} by one sample, {} by {} × {}",
@@ -165,19 +160,9 @@ fn area(n: usize) -> Result<Figure> {
     let board = Board::new()?;
     let means = board.sampled(&Regular::new([n, n])?, 0);
     let error = board.error(&means, ROWS);
-    let whole = 0..SIDE;
-    let x = (0.0, SIDE as f64);
     let difference = means.pixels() - board.exact.pixels();
     let far_error = board.error(&means, NEAR_HORIZON.start + 1..NEAR_HORIZON.end);
-    let differences = view("difference", text!("difference", "разность"), &means, whole.clone(), whole.clone());
-    let differences = Panel { layers: Vec::new(), ..differences }.with(Layer::raster(
-        "pixels",
-        x,
-        x,
-        difference,
-        (-0.5, 0.5),
-        Tones::Grey,
-    ));
+    let differences = map("difference", text!("difference", "разность"), &difference, ((-0.5, 0.5), Tones::Grey));
 
     // down the middle: what a pixel would be wherever it stood, and what the pixels are
     let end = 20.0;
@@ -216,17 +201,11 @@ fn area(n: usize) -> Result<Figure> {
     let off = counted.iter().map(|r| r.measured).fold(0.0, f64::max);
     Ok(Figure::new(3)
         .heights([1.0, 0.8])
-        .with(
-            view("exact", text!("exact area", "точная площадь"), &board.exact, whole.clone(), whole.clone())
-                .with(frame(&COLUMNS, &NEAR_HORIZON)),
-        )
-        .with(
-            view("uniform", text!("{n} × {n} samples", "отсчёты {n} × {n}"), &means, whole.clone(), whole)
-                .with(frame(&COLUMNS, &NEAR_HORIZON)),
-        )
+        .with(whole("exact", text!("exact area", "точная площадь"), &board.exact).with(frame()))
+        .with(whole("uniform", text!("{n} × {n} samples", "отсчёты {n} × {n}"), &means).with(frame()))
         .with(differences)
-        .with(view("exact-far", Text::EMPTY, &board.exact, COLUMNS, NEAR_HORIZON))
-        .with(view("uniform-far", Text::EMPTY, &means, COLUMNS, NEAR_HORIZON))
+        .with(enlarged("exact-far", &board.exact))
+        .with(enlarged("uniform-far", &means))
         .with(column)
         .claim(
             text!(

@@ -1,9 +1,9 @@
 //! The checkerboard by jittered samples (slide «Jittered vs. Uniform Supersampling»), and the error of every pixel.
 
 use crate::error::Result;
-use crate::figure::common::{unmarked, values};
+use crate::figure::common::values;
 use crate::figure::params::Param;
-use crate::figure::remedy::board::{Board, FAR, ROWS, SIDE, bins, error_power, frame, row_power, view};
+use crate::figure::remedy::board::{Board, FAR, ROWS, SIDE, bins, enlarged, error_power, frame, map, row_power, whole};
 use crate::figure::remedy::stochastic::{DEVIATIONS, SEED};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use crate::image::Image;
@@ -40,8 +40,6 @@ const JITTERED: Entry = Entry {
 const N: usize = 4;
 /// The row of pixels with the ghost of four samples: at `√(64/2·4)` = 2.83.
 const GHOST: usize = 2;
-const COLUMNS: Range<usize> = 40..88;
-const NEAR_HORIZON: Range<usize> = 0..16;
 
 /// The root mean square of every row's error, at the middles of the rows.
 fn by_rows(board: &Board, image: &Image, rows: Range<usize>) -> Vec<[f64; 2]> {
@@ -55,7 +53,6 @@ fn jittered(seed: u64) -> Result<Figure> {
     let expected = board.expected(Cells::new([N, N])?);
     let errors = |rows: Range<usize>| [&jitter, &uniform].map(|image| board.error(image, rows.clone()));
     let ([error, coherent], far) = (errors(ROWS), errors(FAR));
-    let whole = || 0..SIDE;
 
     let shown = 1..21;
     let theory = expected.variances.rows().into_iter().enumerate().map(|(j, row)| {
@@ -102,16 +99,16 @@ fn jittered(seed: u64) -> Result<Figure> {
     Ok(Figure::new(3)
         .heights([1.0, 0.8])
         .with(
-            view("jittered", text!("jittered: {}", "с джиттером: {}", number(error, 3)), &jitter, whole(), whole())
-                .with(frame(&COLUMNS, &NEAR_HORIZON)),
+            whole("jittered", text!("jittered: {}", "с джиттером: {}", number(error, 3)), &jitter)
+                .with(frame()),
         )
         .with(
-            view("uniform", text!("uniform: {}", "равномерно: {}", number(coherent, 3)), &uniform, whole(), whole())
-                .with(frame(&COLUMNS, &NEAR_HORIZON)),
+            whole("uniform", text!("uniform: {}", "равномерно: {}", number(coherent, 3)), &uniform)
+                .with(frame()),
         )
         .with(rows)
-        .with(view("jittered-far", Text::EMPTY, &jitter, COLUMNS, NEAR_HORIZON))
-        .with(view("uniform-far", Text::EMPTY, &uniform, COLUMNS, NEAR_HORIZON))
+        .with(enlarged("jittered-far", &jitter))
+        .with(enlarged("uniform-far", &uniform))
         .with(power)
         .claim(
             text!(
@@ -184,26 +181,18 @@ const MAP: Entry = Entry {
          задевает лишь часть ячеек. У равномерных шума нет: ошибка всегда одна и та же, сильнее всего — в ложных узорах.",
     ),
     params: &[Param::count("seed", &SEED, 1, 1, 100)],
-    build: |params| map(params.count("seed") as u64),
+    build: |params| error_map(params.count("seed") as u64),
 };
 
 /// The least error that has a tone of its own, as a power of ten.
 const FLOOR: f64 = -5.0;
 
-fn map_panel(name: &'static str, title: Text, errors: &Array2<f64>) -> Panel {
-    let side = (0.0, SIDE as f64);
-    let tone = errors.mapv(|e| e.max(10f64.powf(FLOOR)).log10());
-    Panel::new(name, title, unmarked(side.0, side.1), unmarked(side.1, side.0)).square().with(Layer::raster(
-        "error",
-        side,
-        side,
-        tone,
-        (FLOOR, -1.0),
-        Tones::Data,
-    ))
+fn powers_of_ten(name: &'static str, title: Text, errors: &Array2<f64>) -> Panel {
+    let powers = errors.mapv(|e| e.max(10f64.powf(FLOOR)).log10());
+    map(name, title, &powers, ((FLOOR, -1.0), Tones::Data))
 }
 
-fn map(seed: u64) -> Result<Figure> {
+fn error_map(seed: u64) -> Result<Figure> {
     const PICTURES: u64 = 8;
     let board = Board::new()?;
     let independent = board.expected(Cells::new([1, 1])?);
@@ -213,16 +202,26 @@ fn map(seed: u64) -> Result<Figure> {
     let mut squares = (uniform.pixels() - board.exact.pixels()).mapv(|d| d * d);
     squares.row_mut(0).fill(0.0);
     let samples = Jittered::new([N, N])?;
-    let measured = (0..PICTURES).map(|k| board.error(&board.sampled(&samples, seed + 1000 * k), ROWS).powi(2));
-    let measured = measured.sum::<f64>() / PICTURES as f64;
+    let mut seen = Array2::<f64>::zeros(squares.dim());
+    for k in 0..PICTURES {
+        let error = board.sampled(&samples, seed + 1000 * k).pixels() - board.exact.pixels();
+        seen.zip_mut_with(&error, |sum, e| *sum += e * e / PICTURES as f64);
+    }
+    seen.row_mut(0).fill(0.0);
+    let measured = seen.sum() / (ROWS.len() * SIDE) as f64;
     let worse = jitter.variances.iter().zip(&random).map(|(j, r)| j - r).fold(0.0, f64::max);
     let errors = [independent.mean.sqrt() / N as f64, jitter.mean.sqrt(), board.error(&uniform, ROWS)];
     let shown = errors.map(|error| number(error, 3));
     let [of_random, of_jitter, of_uniform] = &shown;
-    Ok(Figure::new(3)
-        .with(map_panel("random", text!("independent: {of_random}", "независимые: {of_random}"), &random))
-        .with(map_panel("jittered", text!("jittered: {of_jitter}", "с джиттером: {of_jitter}"), &jitter.variances))
-        .with(map_panel("uniform", text!("uniform: {of_uniform}", "равномерные: {of_uniform}"), &squares))
+    Ok(Figure::new(2)
+        .with(powers_of_ten("random", text!("independent: {of_random}", "независимые: {of_random}"), &random))
+        .with(powers_of_ten("jittered", text!("jittered: {of_jitter}", "с джиттером: {of_jitter}"), &jitter.variances))
+        .with(powers_of_ten("uniform", text!("uniform: {of_uniform}", "равномерные: {of_uniform}"), &squares))
+        .with(powers_of_ten(
+            "measured",
+            text!("{PICTURES} jittered pictures", "{PICTURES} картинок с джиттером"),
+            &seen,
+        ))
         .claim(
             text!(
                 "in no pixel do jittered samples err more than independent ones",

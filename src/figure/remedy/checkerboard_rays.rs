@@ -3,7 +3,7 @@
 
 use crate::error::Result;
 use crate::figure::params::Param;
-use crate::figure::remedy::board::{Board, ERRING, ROWS, SIDE, bins, error_power, view};
+use crate::figure::remedy::board::{Board, ERRING, ROWS, SIDE, bins, error_power, map, whole};
 use crate::figure::remedy::stochastic::{DEVIATIONS, SEED};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use crate::image::Image;
@@ -58,14 +58,7 @@ fn reference(seed: u64) -> Result<Figure> {
     let (one, sixteen) = (one?, sixteen?);
     let error = board.error(&image, ROWS);
     let scale = 16.0;
-    let side = (0.0, SIDE as f64);
     let difference = (image.pixels() - board.exact.pixels()).mapv(|d| scale * d);
-    let whole = 0..SIDE;
-    let view = |name, title| view(name, title, &image, whole.clone(), whole.clone());
-    let differences = Panel {
-        layers: vec![Layer::raster("pixels", side, side, difference, (-1.0, 1.0), Tones::Grey)],
-        ..view("difference", text!("difference × 16", "разность × 16"))
-    };
     let slope = |from: f64, power: f64| {
         let sigma = from.sqrt();
         (0..=4).map(move |k| 4f64.powi(k)).map(move |n| [n, sigma * n.powf(-power)])
@@ -86,10 +79,11 @@ fn reference(seed: u64) -> Result<Figure> {
     .with(Layer::dots("jitter", Meaning::Samples, jitter.iter().copied()).label(text!("jitter", "джиттер")));
     // 256 cells refine 16 cells: no pixel's variance is more than a 16th of theirs (stratification never hurts)
     let most = sixteen.mean / 16.0 + DEVIATIONS * sixteen.deviation / 16.0;
-    Ok(Figure::new(3)
-        .with(view("reference", text!("256 rays", "256 лучей")))
-        .with(differences)
-        .with(rates)
+    Ok(Figure::new(2)
+        .heights([0.8, 1.0])
+        .with(whole("reference", text!("256 rays", "256 лучей"), &image))
+        .with(map("difference", text!("difference × 16", "разность × 16"), &difference, ((-1.0, 1.0), Tones::Grey)))
+        .with(rates.span(2))
         .claim(
             text!(
                 "256 rays are within {} (root mean square) of exact area",
@@ -165,9 +159,9 @@ fn one_ray(seed: u64) -> Result<Figure> {
         text!("1, jittered", "1, с джиттером"),
         text!("4, jittered", "4, с джиттером"),
     ];
-    let mut figure = Figure::new(3).heights([1.0, 0.62]);
+    let mut figure = Figure::new(3).heights([1.0, 0.9]);
     for ((image, name), id) in images.iter().zip(&names).zip(["regular", "one", "four"]) {
-        figure = figure.with(view(id, name.clone(), image, 0..SIDE, 0..SIDE));
+        figure = figure.with(whole(id, name.clone(), image));
     }
     let mut peaks = Vec::new();
     for (image, id) in images.iter().zip(["regular-power", "one-power", "four-power"]) {
