@@ -1,6 +1,7 @@
 //! What the figures of the checkerboard share: its picture made by any pattern of samples, the exact one, and what theory
 //! says of their difference (slides «Point vs. Supersampled» to «1 луч с джиттерингом»).
 
+use crate::antialias::supersample::supersample;
 use crate::error::Result;
 use crate::field::checkerboard::Checkerboard;
 use crate::field::{ExactMean, Field};
@@ -9,20 +10,22 @@ use crate::figure::{Layer, Meaning, Panel, Tones};
 use crate::grid::Grid;
 use crate::image::Image;
 use crate::image::dft::forward;
+use crate::kernel::box_kernel::BoxKernel;
 use crate::pattern::Pattern;
 use crate::pattern::cells::Cells;
-use crate::pattern::measure::periodogram::pattern_seed;
 use crate::text::Text;
 use ndarray::Array2;
 use std::ops::Range;
 
 /// The pictures are so many pixels wide and high.
 pub(super) const SIDE: usize = 128;
-/// All columns, and the rows that are shown: below them there are four squares and no surprise.
-pub(super) const ACROSS: Range<usize> = 0..SIDE;
-pub(super) const SHOWN: Range<usize> = 0..SIDE / 2;
+/// All columns.
+const ACROSS: Range<usize> = 0..SIDE;
+/// The columns and rows that are shown: below them there are four squares and no surprise.
+const SHOWN_ACROSS: Range<usize> = 4..SIDE - 4;
+const SHOWN: Range<usize> = 0..SIDE / 2;
 /// The part that is shown enlarged.
-pub(super) const COLUMNS: Range<usize> = 40..88;
+const COLUMNS: Range<usize> = 40..88;
 pub(super) const NEAR_HORIZON: Range<usize> = 0..16;
 /// The rows that pictures are compared in: without the first one, which touches the horizon, where there is no end of
 /// squares.
@@ -45,8 +48,8 @@ impl Board {
     }
 
     /// The picture whose pixels are means of samples.
-    pub(super) fn sampled(&self, pattern: &dyn Pattern<2>, seed: u64) -> Image {
-        sampled(&self.scene, self.exact.grid(), pattern, seed)
+    pub(super) fn sampled(&self, pattern: &dyn Pattern<2>, seed: u64) -> Result<Image> {
+        supersample(&self.scene, self.exact.grid(), pattern, &BoxKernel, seed)
     }
 
     /// The root mean square difference to the exact picture.
@@ -109,18 +112,6 @@ pub(super) struct Expected {
     pub(super) deviation: f64,
 }
 
-/// The picture whose pixels are means of samples, each pixel with a pattern of its own seed.
-pub(super) fn sampled(scene: &impl Field, grid: Grid, pattern: &dyn Pattern<2>, seed: u64) -> Image {
-    let mut values = Array2::zeros((grid.height(), grid.width()));
-    for ((j, i), value) in values.indexed_iter_mut() {
-        let [[x0, x1], [y0, y1]] = grid.cell(i as i64, j as i64);
-        let points = pattern.points(pattern_seed(seed, (j * grid.width() + i) as u32));
-        let sum: f64 = points.iter().map(|[u, v]| scene.at(x0 + u * (x1 - x0), y0 + v * (y1 - y0))).sum();
-        *value = sum / points.len() as f64;
-    }
-    Image::trusted(grid, values)
-}
-
 /// The power spectrum of a picture's error in the rows [`ERRING`], zero frequency in the middle.
 pub(super) fn error_power(board: &Board, image: &Image) -> Result<Image> {
     let error = image.pixels() - board.exact.pixels();
@@ -153,7 +144,7 @@ fn view(name: &'static str, title: Text, image: &Image, columns: Range<usize>, r
 
 /// Values of all pixels, as many of them as are shown, in tones for the range of the values.
 pub(super) fn map(name: &'static str, title: Text, values: &Array2<f64>, tones: ((f64, f64), Tones)) -> Panel {
-    raster(name, title, &part(values, ACROSS, SHOWN), ACROSS, SHOWN, tones)
+    raster(name, title, &part(values, SHOWN_ACROSS, SHOWN), SHOWN_ACROSS, SHOWN, tones)
 }
 
 fn raster(
@@ -178,7 +169,7 @@ fn raster(
 
 /// A picture, as much of it as is shown.
 pub(super) fn whole(name: &'static str, title: Text, image: &Image) -> Panel {
-    view(name, title, image, ACROSS, SHOWN)
+    view(name, title, image, SHOWN_ACROSS, SHOWN)
 }
 
 /// The part near the horizon, enlarged.

@@ -68,8 +68,8 @@ fn longest_run(board: &Board, m: usize) -> f64 {
 
 fn uniform(n: usize) -> Result<Figure> {
     let board = Board::new()?;
-    let point = board.sampled(&Regular::new([1, 1])?, 0);
-    let means = board.sampled(&Regular::new([n, n])?, 0);
+    let point = board.sampled(&Regular::new([1, 1])?, 0)?;
+    let means = board.sampled(&Regular::new([n, n])?, 0)?;
     let [one, many] = [&point, &means].map(|image| board.error(image, ROWS));
     let ghost = |m: usize| Layer::horizontals("ghost", Meaning::Leaked, [ghost_row(m)]).dashed();
     let title = |n: usize, error: f64| match n {
@@ -158,7 +158,7 @@ fn mean_of_squares(y0: f64, y1: f64) -> f64 {
 
 fn area(n: usize) -> Result<Figure> {
     let board = Board::new()?;
-    let means = board.sampled(&Regular::new([n, n])?, 0);
+    let means = board.sampled(&Regular::new([n, n])?, 0)?;
     let error = board.error(&means, ROWS);
     let difference = means.pixels() - board.exact.pixels();
     let far_error = board.error(&means, NEAR_HORIZON.start + 1..NEAR_HORIZON.end);

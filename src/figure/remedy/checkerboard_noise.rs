@@ -48,8 +48,8 @@ fn by_rows(board: &Board, image: &Image, rows: Range<usize>) -> Vec<[f64; 2]> {
 
 fn jittered(seed: u64) -> Result<Figure> {
     let board = Board::new()?;
-    let jitter = board.sampled(&Jittered::new([N, N])?, seed);
-    let uniform = board.sampled(&Regular::new([N, N])?, 0);
+    let jitter = board.sampled(&Jittered::new([N, N])?, seed)?;
+    let uniform = board.sampled(&Regular::new([N, N])?, 0)?;
     let expected = board.expected(Cells::new([N, N])?);
     let errors = |rows: Range<usize>| [&jitter, &uniform].map(|image| board.error(image, rows.clone()));
     let ([error, coherent], far) = (errors(ROWS), errors(FAR));
@@ -198,13 +198,13 @@ fn error_map(seed: u64) -> Result<Figure> {
     let independent = board.expected(Cells::new([1, 1])?);
     let random = independent.variances.mapv(|v| v / (N * N) as f64);
     let jitter = board.expected(Cells::new([N, N])?);
-    let uniform = board.sampled(&Regular::new([N, N])?, 0);
+    let uniform = board.sampled(&Regular::new([N, N])?, 0)?;
     let mut squares = (uniform.pixels() - board.exact.pixels()).mapv(|d| d * d);
     squares.row_mut(0).fill(0.0);
     let samples = Jittered::new([N, N])?;
     let mut seen = Array2::<f64>::zeros(squares.dim());
     for k in 0..PICTURES {
-        let error = board.sampled(&samples, seed + 1000 * k).pixels() - board.exact.pixels();
+        let error = board.sampled(&samples, seed + 1000 * k)?.pixels() - board.exact.pixels();
         seen.zip_mut_with(&error, |sum, e| *sum += e * e / PICTURES as f64);
     }
     seen.row_mut(0).fill(0.0);

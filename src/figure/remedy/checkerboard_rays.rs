@@ -44,14 +44,14 @@ fn reference(seed: u64) -> Result<Figure> {
     let mut jitter = Vec::new();
     let mut last = None;
     for n in [1, 2, 4, 8, 16] {
-        let image = board.sampled(&Jittered::new([n, n])?, seed);
+        let image = board.sampled(&Jittered::new([n, n])?, seed)?;
         jitter.push([(n * n) as f64, board.error(&image, ROWS)]);
         last = Some(image);
     }
     let image = last.unwrap_or_else(|| board.exact.clone());
     let mut regular = Vec::new();
     for n in [1, 2, 4, 8] {
-        regular.push([(n * n) as f64, board.error(&board.sampled(&Regular::new([n, n])?, 0), ROWS)]);
+        regular.push([(n * n) as f64, board.error(&board.sampled(&Regular::new([n, n])?, 0)?, ROWS)]);
     }
     let expected = [1, 2, 4].map(|n| Cells::new([n, n]).map(|cells| board.expected(cells)));
     let [one, _, sixteen] = expected;
@@ -146,13 +146,13 @@ fn one_ray(seed: u64) -> Result<Figure> {
     const PICTURES: u64 = 16;
     let board = Board::new()?;
     let (one, four) = (Jittered::new([1, 1])?, Jittered::new([2, 2])?);
-    let regular = board.sampled(&Regular::new([1, 1])?, 0);
-    let images = [regular, board.sampled(&one, seed), board.sampled(&four, seed)];
+    let regular = board.sampled(&Regular::new([1, 1])?, 0)?;
+    let images = [regular, board.sampled(&one, seed)?, board.sampled(&four, seed)?];
     let errors = images.each_ref().map(|image| board.error(image, ROWS));
     let expected = [board.expected(Cells::new([1, 1])?), board.expected(Cells::new([2, 2])?)];
-    let four_regular = board.error(&board.sampled(&Regular::new([2, 2])?, 0), ROWS);
+    let four_regular = board.error(&board.sampled(&Regular::new([2, 2])?, 0)?, ROWS);
     let peak = |image: &Image| peak_to_mean(&bins(&error_power(&board, image)?));
-    let others = (0..PICTURES).map(|k| peak(&board.sampled(&one, seed + 1000 * k))).collect::<Result<Vec<_>>>()?;
+    let others = (0..PICTURES).map(|k| peak(&board.sampled(&one, seed + 1000 * k)?)).collect::<Result<Vec<_>>>()?;
     let mean_peak = others.iter().sum::<f64>() / PICTURES as f64;
     let names = [
         text!("1, regular", "1, регулярно"),
