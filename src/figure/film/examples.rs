@@ -68,9 +68,9 @@ const CROPS: Entry = Entry {
     build: |params| crops(params),
 };
 
-const SIDE: usize = 128;
+const SIDE: usize = 96;
 /// The part that is shown enlarged.
-const DETAIL: [std::ops::Range<usize>; 2] = [44..84, 44..84];
+const DETAIL: [std::ops::Range<usize>; 2] = [34..74, 30..70];
 
 /// A wall of bricks on the left, rings that grow too fine on the right, letters below them.
 struct Scene {
@@ -86,8 +86,8 @@ impl Scene {
     fn new() -> Result<Self> {
         Ok(Self {
             wall: BrickWall::new([13.7, 6.3], 1.1, [0.38, RANGE[1]])?,
-            rings: ZonePlate::new(70.0)?,
-            letters: Glyphs::new("ШAVE", [67.0, 71.0], 14.3)?,
+            rings: ZonePlate::new(95.0)?,
+            letters: Glyphs::new("ШAV", [51.0, 56.0], 14.3)?,
         })
     }
 }
@@ -95,10 +95,10 @@ impl Scene {
 impl Field for Scene {
     fn at(&self, x: f64, y: f64) -> f64 {
         let [dark, bright] = RANGE;
-        if x < 62.3 {
+        if x < 46.3 {
             self.wall.at(x, y + 0.04 * x)
-        } else if y < 66.7 {
-            dark + (bright - dark) * self.rings.at(x - 128.0, y)
+        } else if y < 50.7 {
+            dark + (bright - dark) * self.rings.at(x - 96.0, y)
         } else {
             bright - (bright - dark) * self.letters.at(x, y)
         }
@@ -177,29 +177,28 @@ fn filters(params: &Params) -> Result<Figure> {
 
     // an edge through the middle of a pixel's row, at a few places in it: regular samples as fine as a step is drawn
     const FINE: usize = 32;
-    const PLACES: usize = 4;
+    const PLACES: usize = 2;
     let measured = |kernel: &dyn Kernel| -> Result<Vec<[f64; 2]>> {
         let mut found = Vec::new();
         for place in 0..PLACES {
             let at = 8.0 + place as f64 / PLACES as f64;
             let scene = HalfPlane::new([-1.0, 0.0], -at)?;
             let row = supersample(&scene, Grid::pixels(16, 1)?, &Regular::new([FINE, 1])?, kernel, 0)?;
-            found.extend((0..16).map(|i| [i as f64 + 0.5 - at, row.at(i, 0)]).filter(|p| p[0].abs() <= 2.5));
+            found.extend((0..16).map(|i| [i as f64 + 0.5 - at, row.at(i, 0)]).filter(|p| p[0].abs() <= 1.75));
         }
         Ok(found)
     };
     let edges = kernels.iter().map(|k| measured(&**k)).collect::<Result<Vec<_>>>()?;
     let widths: Vec<f64> = kernels.iter().map(|k| width(&**k)).collect();
-    let mut profile = Panel::new("edge", text!("an edge", "край"), values("x", -2.3, 2.3), values("", -0.1, 1.1))
-        .legend(Legend::Above);
+    let mut profile = Panel::new("edge", text!("an edge", "край"), values("x", -1.8, 1.8), values("", -0.1, 1.1))
+        .legend(Legend::LowerRight);
     let mut response =
         Panel::new("response", text!("what passes", "что проходит"), frequency(0.0, 2.0), values("|K|", 0.0, 1.05))
-            .legend(Legend::Above)
             .with(Layer::verticals("nyquist", Meaning::Guide, [0.5]).dashed());
     let names = ["box", "gaussian", "mitchell"];
     for (i, (kernel, name)) in kernels.iter().zip(names).enumerate() {
         let meaning = Meaning::Series(i as u8);
-        let curve = Layer::curve(name, meaning, -2.3, 2.3, 184, |x| edge(&**kernel, x)).thick();
+        let curve = Layer::curve(name, meaning, -1.8, 1.8, 144, |x| edge(&**kernel, x)).thick();
         profile = profile.with(curve.label(shown[i].clone()));
         let gain = kernel.response(0.0);
         let curve = Layer::curve(name, meaning, 0.0, 2.0, 300, |nu| (kernel.response(nu) / gain).abs()).thick();

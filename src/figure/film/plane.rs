@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::error::Result;
-use crate::field::{Field, from_fn};
+use crate::field::from_fn;
 use crate::figure::common::unmarked;
 use crate::figure::params::{Param, Params};
 use crate::figure::{Entry, Figure, Layer, Panel, Tones};
@@ -52,7 +52,7 @@ const MARGIN: f64 = 4.0;
 /// How many points a pixel is drawn with.
 const FINE: usize = 8;
 
-/// Letters of light: a tilted edge, and rings beside it.
+/// A tilted edge, and rings beside it.
 fn scene(x: f64, y: f64) -> f64 {
     let [u, v] = [x - 8.2, y - 7.1];
     if x + 0.37 * y < 5.3 { 0.9 } else { 0.45 + 0.4 * cos_pi(0.11 * (u * u + v * v)) }

@@ -35,11 +35,11 @@ const WEIGHTS: Entry = Entry {
     errata: &[],
     title: &Text::fixed("A pixel from the samples around it", "Пиксель по отсчётам вокруг него"),
     caption: &Text::fixed(
-        "I = Σ f·L / Σ f: every sample within the filter's box counts by the filter's value where it stands (area of the \
-         circles; dashed: less than nothing). Σ f differs from pixel to pixel, so that only the division keeps a constant. \
+        "I = Σ f·L / Σ f: every sample within the filter's box counts by the filter's value where it stands (size of the \
+         circles; diamonds: negative). Σ f differs from pixel to pixel, so that only the division keeps a constant. \
          Its price is a bias, for a quotient of random sums; it falls as 1/K with K samples.",
-        "I = Σ f·L / Σ f: каждый отсчёт внутри рамки фильтра входит с весом, равным значению фильтра в его месте (площадь \
-         кружков; пунктир — отрицательный вес). Σ f от пикселя к пикселю разная, и константу сохраняет только деление. Его \
+        "I = Σ f·L / Σ f: каждый отсчёт внутри рамки фильтра входит с весом, равным значению фильтра в его месте (размер \
+         кружков; ромбы — отрицательный вес). Σ f от пикселя к пикселю разная, и константу сохраняет только деление. Его \
          цена — смещение, ведь это отношение случайных сумм; с числом отсчётов K оно убывает как 1/K.",
     ),
     params: &[Param::choice("kernel", &KERNEL, KERNELS), Param::count("seed", &SEED, 1, 1, 100)],
@@ -63,11 +63,10 @@ fn samples(
     Ok(pixels.flat_map(of).map(|at| Sample { at, light: [light(at[0], at[1])] }).collect())
 }
 
-/// Circles around places, each of its own radius.
-fn circles(of: impl IntoIterator<Item = ([f64; 2], f64)>) -> Vec<[f64; 2]> {
-    const CORNERS: u32 = 16;
+/// Regular polygons around places, each of its own radius: circles, if they have many corners.
+fn circles(corners: u32, of: impl IntoIterator<Item = ([f64; 2], f64)>) -> Vec<[f64; 2]> {
     let circle = |([x, y], r): ([f64; 2], f64)| {
-        let around = (0..=CORNERS).map(|k| 2.0 * f64::from(k) / f64::from(CORNERS));
+        let around = (0..=corners).map(|k| 2.0 * f64::from(k) / f64::from(corners));
         around.map(|t| [x + r * cos_pi(t), y + r * sin_pi(t)]).chain([[f64::NAN; 2]]).collect::<Vec<_>>()
     };
     of.into_iter().flat_map(circle).collect()
@@ -107,9 +106,9 @@ fn weights(params: &Params) -> Result<Figure> {
     let weighed: Vec<([f64; 2], f64)> =
         around.iter().map(|s| (s.at, film.weight(s.at[0] - middle[0], s.at[1] - middle[1]))).collect();
     let most = weighed.iter().map(|(_, w)| w.abs()).fold(0.0, f64::max);
-    let sized = |keep: &dyn Fn(f64) -> bool| {
+    let sized = |corners: u32, keep: &dyn Fn(f64) -> bool| {
         let kept = weighed.iter().filter(|(_, w)| keep(*w));
-        circles(kept.map(|(at, w)| (*at, 0.05 + 0.23 * (w.abs() / most).sqrt())).collect::<Vec<_>>())
+        circles(corners, kept.map(|(at, w)| (*at, 0.05 + 0.23 * (w.abs() / most).sqrt())).collect::<Vec<_>>())
     };
     let diagram = Panel::new(
         "diagram",
@@ -120,9 +119,9 @@ fn weights(params: &Params) -> Result<Figure> {
     .square();
     let [[x0, x1], [y0, y1]] = middle.map(|m| [m - radius, m + radius]);
     let diagram = pixel_lines(diagram, width, height)
-        .with(Layer::line("outside", Meaning::Guide, sized(&|w| w == 0.0)).thin())
-        .with(Layer::line("positive", Meaning::Samples, sized(&|w| w > 0.0)))
-        .with(Layer::line("negative", Meaning::Leaked, sized(&|w| w < 0.0)).dashed())
+        .with(Layer::line("outside", Meaning::Guide, sized(8, &|w| w == 0.0)).thin())
+        .with(Layer::line("positive", Meaning::Samples, sized(16, &|w| w > 0.0)))
+        .with(Layer::line("negative", Meaning::Leaked, sized(4, &|w| w < 0.0)))
         .with(Layer::line("extent", Meaning::Kernel, rectangle([x0, x1], [y0, y1])).thick())
         .with(Layer::dots("pixel", Meaning::Signal, [middle]));
 
@@ -151,7 +150,7 @@ fn weights(params: &Params) -> Result<Figure> {
     };
 
     // a constant, on a larger film
-    const SIDE: usize = 40;
+    const SIDE: usize = 32;
     let large = Film::new(Grid::pixels(SIDE, SIDE)?, &*kernel)?;
     let reach = large.reach() as i64;
     let all = -reach..SIDE as i64 + reach;
