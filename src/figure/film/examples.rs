@@ -274,7 +274,7 @@ fn filters(params: &Params) -> Result<Figure> {
         )
         .claim(
             text!("box and Gaussian do not overshoot", "box и гауссиан не дают выброса"),
-            // sums and integrals of nonnegative numbers, each to rounding and quadrature
+            // sums of nonnegative numbers to rounding, and integrals of them, a dozen pieces to 1e-14 each
             Residual::at_most(
                 "overshoot of filters without negative weights",
                 halo(&*kernels[0]).max(halo(&*kernels[1])).max(metrics[0].overshoot).max(metrics[1].overshoot),

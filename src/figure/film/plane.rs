@@ -50,7 +50,7 @@ const PIXELS: usize = 12;
 /// Samples go on for so many pixels beyond the frame: as far as both filters reach.
 const MARGIN: f64 = 4.0;
 /// How many points a pixel is drawn with.
-const FINE: usize = 8;
+const FINE: usize = 10;
 
 /// A tilted edge, and rings beside it.
 fn scene(x: f64, y: f64) -> f64 {

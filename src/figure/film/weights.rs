@@ -328,7 +328,7 @@ fn window(params: &Params) -> Result<Figure> {
             "seam",
             text!("what is wrong without it", "ошибка без запаса"),
             &seam.map(f64::abs),
-            (0.0, 0.2),
+            (0.0, 0.1),
             Tones::Data,
         ))
         .claim(

@@ -90,7 +90,7 @@ fn uniform(n: usize) -> Result<Figure> {
                 "root mean square errors to exact area: {} by one sample, {} by {} × {}",
                 "среднеквадратичная ошибка относительно точной площади: {} для одного отсчёта, {} для {} × {}",
                 number(one, 4),
-                number(many, 4),
+                number(many, 3),
                 n,
                 n
             ),

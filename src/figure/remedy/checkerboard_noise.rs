@@ -129,7 +129,7 @@ fn jittered(seed: u64) -> Result<Figure> {
             text!(
                 "uniform samples err more: in all, and in rows 1–10: {} against {}",
                 "равномерные отсчёты ошибаются сильнее: в целом и в строках 1–10: {} против {}",
-                number(far[1], 3),
+                number(far[1], 4),
                 number(far[0], 3)
             ),
             Residual::at_most("error with jitter / without", (error / coherent).max(far[0] / far[1]), 1.0),
@@ -173,10 +173,10 @@ const MAP: Entry = Entry {
     errata: &["E11"],
     title: &Text::fixed("Where the error is", "Где ошибка"),
     caption: &Text::fixed(
-        "The mean square error of every pixel with sixteen samples, in powers of ten. Independent samples err wherever \
+        "The mean square error of every pixel with sixteen samples, dark below 10^{−5}, yellow from 0.1 on. Independent samples err wherever \
          there is an edge, by p(1 − p)/16; jittered ones never more than that, and far less where an edge crosses only a \
          few cells. Uniform samples have no noise: their error is always the same, and strongest in the ghosts.",
-        "Средний квадрат ошибки каждого пиксела при шестнадцати отсчётах, в степенях десяти. Независимые отсчёты ошибаются \
+        "Средний квадрат ошибки каждого пиксела при шестнадцати отсчётах: тёмное — меньше 10^{−5}, жёлтое — от 0,1. Независимые отсчёты ошибаются \
          везде, где есть край, на p(1 − p)/16; отсчёты с джиттером — никогда не больше, и намного меньше там, где край \
          задевает лишь часть ячеек. У равномерных шума нет: ошибка всегда одна и та же, сильнее всего — в ложных узорах.",
     ),

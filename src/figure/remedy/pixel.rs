@@ -65,7 +65,7 @@ fn pixel(params: &Params) -> Result<Figure> {
 
     let [[x0, x1], [y0, y1]] = grid.cell(CHOSEN[0] as i64, CHOSEN[1] as i64);
     let (x, y) = ((x0 - MARGIN, x1 + MARGIN), (y0 - MARGIN, y1 + MARGIN));
-    const FINE: usize = 60;
+    const FINE: usize = 180;
     let seen = Image::of(&scene, Grid::cells(x.0..x.1, FINE, y.0..y.1, FINE)?);
     let places: Vec<[f64; 2]> = taps.iter().map(|t| [x0 + t.at[0], y0 + t.at[1]]).collect();
     let outline = || Layer::line("pixel", Meaning::Error, [[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]]);
