@@ -304,9 +304,9 @@ fn crops(params: &Params) -> Result<Figure> {
         figure = figure.with(view(name, title, &image, DETAIL));
         let beyond = image.values().iter().map(|v| (v - RANGE[1]).max(RANGE[0] - v)).fold(f64::NEG_INFINITY, f64::max);
         if kernel.claims().nonnegative {
-            calm = calm.max(beyond)
+            calm = calm.max(beyond);
         } else {
-            wild = wild.min(beyond)
+            wild = wild.min(beyond);
         }
         blur.push((name, Metrics::of(&*kernel)));
     }

@@ -5,9 +5,10 @@ pub mod examples;
 pub mod plane;
 pub mod stages;
 pub mod weights;
+pub mod window;
 
 use crate::figure::Entry;
 
 /// The families of this chapter, in its order.
 pub static FAMILIES: &[&[Entry]] =
-    &[stages::ENTRIES, plane::ENTRIES, weights::ENTRIES, choice::ENTRIES, examples::ENTRIES];
+    &[stages::ENTRIES, plane::ENTRIES, weights::ENTRIES, choice::ENTRIES, examples::ENTRIES, window::ENTRIES];

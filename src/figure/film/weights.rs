@@ -1,5 +1,4 @@
-//! The value of a pixel from the samples around it (slide «Получение значения пикселя по набору сэмплов»), and which
-//! samples a part of the film needs.
+//! The value of a pixel from the samples around it (slide «Получение значения пикселя по набору сэмплов»).
 
 use crate::antialias::supersample::pixel_seed;
 use crate::error::Result;
@@ -23,11 +22,11 @@ use crate::text::{Text, number};
 use std::ops::Range;
 
 /// The figures of this family.
-pub static ENTRIES: &[Entry] = &[WEIGHTS, WINDOW];
+pub static ENTRIES: &[Entry] = &[WEIGHTS];
 
-static KERNEL: Text = Text::fixed("the filter of the pixel", "фильтр пикселя");
-static SEED: Text = Text::fixed("seed of the random numbers", "начальное число генератора");
-const KERNELS: &[&str] = &["mitchell", "gaussian-pbrt2", "tent", "box", "lanczos-3"];
+pub(super) static KERNEL: Text = Text::fixed("the filter of the pixel", "фильтр пикселя");
+pub(super) static SEED: Text = Text::fixed("seed of the random numbers", "начальное число генератора");
+pub(super) const KERNELS: &[&str] = &["mitchell", "gaussian-pbrt2", "tent", "box", "lanczos-3"];
 
 const WEIGHTS: Entry = Entry {
     id: "f56-weights",
@@ -47,7 +46,7 @@ const WEIGHTS: Entry = Entry {
 };
 
 /// The samples of the pixels in those columns and rows, `n × n` jittered ones in each.
-fn samples(
+pub(super) fn samples(
     columns: Range<i64>,
     rows: Range<i64>,
     n: usize,
@@ -80,13 +79,13 @@ fn pixel_lines(panel: Panel, width: usize, height: usize) -> Panel {
         .with(Layer::horizontals("rows", Meaning::Guide, lines(height)).thin())
 }
 
-fn rectangle(x: [f64; 2], y: [f64; 2]) -> [[f64; 2]; 5] {
+pub(super) fn rectangle(x: [f64; 2], y: [f64; 2]) -> [[f64; 2]; 5] {
     [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]], [x[0], y[0]]]
 }
 
 /// How many samples a pixel's sum has at most, and how far the amounts of its weights can exceed their sum: for the
 /// bounds of rounding.
-fn terms(kernel: &dyn Kernel, n: usize) -> f64 {
+pub(super) fn terms(kernel: &dyn Kernel, n: usize) -> f64 {
     let pixels = (2.0 * kernel.radius() + 1.0).ceil();
     // of Lanczos-3, the worst, Σ|f|/Σf is (1.36)² on the whole; times four for uneven samples
     8.0 * pixels * pixels * (n * n) as f64
@@ -230,132 +229,5 @@ fn weights(params: &Params) -> Result<Figure> {
                 number((1e4 * found[3][1]).round() / 1e4, 2)
             ),
             Residual::at_most("bias of the quotient, in bounds", off, 1.0),
-        ))
-}
-
-const WINDOW: Entry = Entry {
-    id: "x-film-window",
-    inventory: &["F56"],
-    errata: &[],
-    title: &Text::fixed("A window of the film, and the samples it needs", "Окно плёнки и нужные ему отсчёты"),
-    caption: &Text::fixed(
-        "To render a part of a picture one needs samples from farther out: as far as the filter of its border pixels \
-         reaches. With that margin the window is the same as in the whole picture. Without it the pixels at its border are \
-         made of half of their samples, and tiles show seams.",
-        "Чтобы посчитать часть картинки, нужны отсчёты и за её краем: насколько достаёт фильтр крайних пикселей. С таким \
-         запасом окно совпадает с тем же местом целой картинки. Без него крайние пиксели собраны из половины своих \
-         отсчётов, и между плитками видны швы.",
-    ),
-    params: &[Param::choice("kernel", &KERNEL, KERNELS), Param::count("seed", &SEED, 1, 1, 100)],
-    build: |params| window(params),
-};
-
-fn window(params: &Params) -> Result<Figure> {
-    let (kernel, seed) = (by_name(params.choice("kernel"))?, params.count("seed") as u64);
-    let (width, height) = (24usize, 16usize);
-    let (columns, rows) = (8i64..16, 5i64..11);
-    let light = |x: f64, y: f64| 0.5 + 0.45 * cos_pi(0.02 * ((x - 4.0).powi(2) + (y - 3.0).powi(2)));
-    let film = Film::new(Grid::pixels(width, height)?, &*kernel)?;
-    let reach = film.reach() as i64;
-    let whole = film.develop(&samples(-reach..width as i64 + reach, -reach..height as i64 + reach, 2, seed, light)?)?;
-    let size = [columns.end - columns.start, rows.end - rows.start].map(|n| n as usize);
-    let part =
-        Grid::cells(columns.start as f64..columns.end as f64, size[0], rows.start as f64..rows.end as f64, size[1])?;
-    let small = Film::new(part, &*kernel)?;
-    let developed = |margin: i64| {
-        let columns = columns.start - margin..columns.end + margin;
-        small.develop(&samples(columns, rows.start - margin..rows.end + margin, 2, seed, light)?)
-    };
-    let (with, without) = (developed(reach)?, developed(0)?);
-    let same = Image::new(
-        part,
-        (rows.clone())
-            .flat_map(|j| columns.clone().map(move |i| (i, j)))
-            .map(|(i, j)| whole.image().at(i as usize, j as usize))
-            .collect(),
-    )?;
-    let apart =
-        |image: &Image| image.values().iter().zip(same.values()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    let seam = without.image().with(&same, |a, b| a - b)?;
-
-    let [x, y] = [&columns, &rows].map(|r| [r.start as f64, r.end as f64]);
-    let margin = |[a, b]: [f64; 2], m: f64| [a - m, b + m];
-    let radius = kernel.radius();
-    // the filter stands on the centres of pixels
-    let footprint = radius - 0.5;
-    let picture = Panel::new(
-        "film",
-        text!("film, window, margin", "плёнка, окно, запас"),
-        unmarked(0.0, width as f64),
-        unmarked(height as f64, 0.0),
-    )
-    .square()
-    .legend(Legend::Above)
-    .with(Layer::raster(
-        "pixels",
-        (0.0, width as f64),
-        (0.0, height as f64),
-        whole.image().pixels().clone(),
-        (0.0, 1.0),
-        Tones::Grey,
-    ))
-    .with(Layer::line("window", Meaning::Samples, rectangle(x, y)).thick().label(text!("window", "окно")))
-    .with(
-        Layer::line("margin", Meaning::Error, rectangle(margin(x, footprint), margin(y, footprint)))
-            .thick()
-            .dashed()
-            .label(text!("its samples", "его отсчёты")),
-    );
-    let view = |name, title, image: &Image, (low, high): (f64, f64), tones| {
-        Panel::new(name, title, unmarked(x[0], x[1]), unmarked(y[1], y[0])).square().with(Layer::raster(
-            "pixels",
-            (x[0], x[1]),
-            (y[0], y[1]),
-            image.pixels().clone(),
-            (low, high),
-            tones,
-        ))
-    };
-    let grey = (0.0, 1.0);
-    let rounding = 2.0 * f64::EPSILON * terms(&*kernel, 2);
-    let worst = apart(without.image());
-    let inner = footprint <= 0.0;
-    Ok(Figure::new(2)
-        .with(picture)
-        .with(view("with", text!("with the margin", "с запасом"), with.image(), grey, Tones::Grey))
-        .with(view("without", text!("without it", "без запаса"), without.image(), grey, Tones::Grey))
-        .with(view(
-            "seam",
-            text!("what is wrong without it", "ошибка без запаса"),
-            &seam.map(f64::abs),
-            (0.0, 0.1),
-            Tones::Data,
-        ))
-        .claim(
-            text!(
-                "with a margin of {} the window has the pixels of the whole picture",
-                "с запасом {} пиксели окна те же, что в целой картинке",
-                number(footprint.max(0.0), 3)
-            ),
-            // the sums are taken in the same order, from another first pixel
-            Residual::at_most("window with margin − whole picture", apart(with.image()), 2.0 * rounding),
-        )
-        .claim(
-            match inner {
-                true => text!(
-                    "this filter is no wider than a pixel: no margin is needed",
-                    "этот фильтр не шире пикселя: запас не нужен"
-                ),
-                false => text!(
-                    "without it pixels at the border are off by up to {}",
-                    "без него пиксели у края ошибаются до {}",
-                    number(worst, 2)
-                ),
-            },
-            match inner {
-                true => Residual::at_most("window without margin − whole picture", worst, 2.0 * rounding),
-                // far more than rounding, or it would be no error
-                false => Residual::at_least("error at the border, in roundings", worst / rounding, 1e6),
-            },
         ))
 }

@@ -2,6 +2,7 @@
 //! на пиксель)», «1 луч с джиттерингом»).
 
 use crate::error::Result;
+use crate::figure::common::unmarked;
 use crate::figure::params::Param;
 use crate::figure::remedy::board::{Board, ERRING, ROWS, SIDE, bins, error_power, map, whole};
 use crate::figure::remedy::stochastic::{DEVIATIONS, SEED};
@@ -170,21 +171,16 @@ fn one_ray(seed: u64) -> Result<Figure> {
         let mean = others.iter().sum::<f64>() / others.len() as f64;
         let top = peak_to_mean(&others)?;
         peaks.push(top);
-        let title = text!("highest: {} means", "максимум: {} средних", number(top, 3));
-        let rows = 0.5;
-        let panel = Panel::new(
-            id,
-            title,
-            Scale::linear(text!("ν across", "ν по горизонтали"), -0.5, 0.5)
-                .ticks([-0.5, 0.0, 0.5].map(|v| (v, text!("{v}", "{v}")))),
-            Scale::linear(Text::EMPTY, -rows, rows).ticks([-0.5, 0.0, 0.5].map(|v| (v, text!("{v}", "{v}")))),
-        );
+        let title = text!("peak: {} means", "пик: {} средних", number(top, 3));
+        let ticks = [-0.5, 0.0, 0.5].map(|v| (v, text!("{v}", "{v}")));
+        let across = Scale::linear(text!("ν across", "ν по горизонтали"), -0.5, 0.5).ticks(ticks);
+        let panel = Panel::new(id, title, across, unmarked(-0.5, 0.5));
         let mut relative = power.pixels().mapv(|p| p / mean);
         relative[[ERRING.len() / 2, SIDE / 2]] = 0.0;
         figure = figure.with(panel.with(Layer::raster(
             "power",
             (-0.5, 0.5),
-            (-rows, rows),
+            (-0.5, 0.5),
             relative,
             (0.0, 14.0),
             Tones::Data,
