@@ -52,6 +52,11 @@ fn of_edges_and_filters() {
 }
 
 #[test]
+fn of_the_checkerboard_and_the_film() {
+    tried(&["f35", "f36", "f40", "f42", "f50", "f51", "f56", "f58"]);
+}
+
+#[test]
 fn of_what_goes_beyond_the_lecture() {
     tried(&["x-"]);
 }

@@ -4,6 +4,7 @@ mod asking;
 mod claims_hold;
 mod claims_hold_over_their_ranges;
 mod numbers_aliasing;
+mod numbers_checkerboard;
 mod numbers_edges_and_filters;
 mod numbers_formal;
 mod numbers_further;
