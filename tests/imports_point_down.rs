@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 24] = [
+const FLOORS: [&str; 25] = [
     "error",
     "text",
     "num",
@@ -23,6 +23,7 @@ const FLOORS: [&str; 24] = [
     "reconstruct",
     "image",
     "door",
+    "scene",
     "beyond",
     "resolve",
     "laws",

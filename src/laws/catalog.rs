@@ -3,7 +3,7 @@
 use crate::error::{Result, unknown};
 use crate::laws::{
     Law, alias, coverage, cubics, discrepancy, frames, generalised, gibbs, hold, integration, jitter, kernels,
-    lattices, metrics, plane, point_spectra, poisson, spacing, theorems, truncation, variance,
+    lattices, metrics, plane, point_spectra, poisson, scene, spacing, theorems, truncation, variance,
 };
 
 /// The themes, each with its laws.
@@ -28,6 +28,7 @@ static THEMES: &[&[Law]] = &[
     plane::LAWS,
     lattices::LAWS,
     coverage::LAWS,
+    scene::LAWS,
 ];
 
 /// All laws.
