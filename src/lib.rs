@@ -78,8 +78,10 @@
 //! | none | the library: transforms, sampling, replication, kernels, reconstruction, laws, and figures as data |
 //! | `plot` | figures drawn as SVG, PNG and PDF (plotters, and an embedded font: nothing of the system is used) |
 //! | `files` | images from PNG and JPEG files, and to PNG |
+//! | `threads` | films on several threads; the bits are the same |
 //! | `cli` (default) | the command `nyquist` |
 
+pub mod antialias;
 pub mod axis;
 pub mod beyond;
 pub mod comb;
@@ -87,6 +89,7 @@ pub mod door;
 pub mod error;
 pub mod field;
 pub mod figure;
+pub mod film;
 #[cfg(feature = "plot")]
 pub mod gallery;
 pub mod grid;
@@ -95,6 +98,7 @@ pub mod kernel;
 pub mod laws;
 pub mod num;
 pub mod nyquist;
+mod parallel;
 pub mod pattern;
 #[cfg(feature = "plot")]
 pub mod plot;
@@ -109,6 +113,9 @@ pub mod text;
 
 /// What users, notebooks and exercises import; nothing inside the library does.
 pub mod prelude {
+    pub use crate::antialias::adaptive::{Adapted, Budget, adaptive};
+    pub use crate::antialias::prefilter::prefiltered;
+    pub use crate::antialias::supersample::{Tap, supersample, weighted};
     pub use crate::axis::{Axis, Edge, Unit};
     pub use crate::beyond::{
         BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery, Refined,
@@ -142,6 +149,7 @@ pub mod prelude {
     pub use crate::field::zone_plate::ZonePlate;
     pub use crate::field::zoomed::Zoomed;
     pub use crate::field::{ExactMean, Field, FourierField, from_fn as field_fn};
+    pub use crate::film::{Exposure, Film, Sample};
     pub use crate::grid::Grid;
     pub use crate::image::dft::{forward as image_forward, inverse as image_inverse};
     pub use crate::image::filter::{Filter, Shape};
@@ -165,6 +173,7 @@ pub mod prelude {
     pub use crate::pattern::best_candidate::BestCandidate;
     pub use crate::pattern::blue_noise::BlueNoise;
     pub use crate::pattern::cells::Cells;
+    pub use crate::pattern::grouped::Grouped;
     pub use crate::pattern::halton::Halton;
     pub use crate::pattern::hammersley::Hammersley;
     pub use crate::pattern::jittered::Jittered;
@@ -194,6 +203,7 @@ pub mod prelude {
     pub use crate::scene::camera::LensCamera;
     pub use crate::scene::chart::Chart;
     pub use crate::scene::lens::ThinLens;
+    pub use crate::scene::render::render;
     pub use crate::scene::sphere::Sphere;
     pub use crate::scene::sun::Sun;
     pub use crate::scene::surface::Surface;

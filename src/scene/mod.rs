@@ -11,6 +11,7 @@ pub mod camera;
 pub mod catalog;
 pub mod chart;
 pub mod lens;
+pub mod render;
 pub mod sphere;
 pub mod sun;
 pub mod surface;

@@ -108,7 +108,7 @@ fn rays_panel(lens: &ThinLens, points: &[Followed]) -> Panel {
             [
                 ([-lens.focus(), 2.35], text!("plane in focus", "плоскость фокуса")),
                 ([0.0, 2.35], text!("lens (u, v)", "линза (u, v)")),
-                ([FILM - 0.1, -1.75], text!("film (x, y)", "плёнка (x, y)")),
+                ([0.9, -1.55], text!("film (x, y)", "плёнка (x, y)")),
             ],
         ))
 }
@@ -120,7 +120,7 @@ fn slice_panel(lens: &ThinLens, points: &[Followed]) -> Panel {
     let panel = Panel::new(
         "slice",
         text!("the slice (x, u)", "сечение (x, u)"),
-        Scale::linear(text!("x on the film, from the middle ray", "x на плёнке, от среднего луча"), -most, most),
+        Scale::linear(text!("x on the film", "x на плёнке"), -most, most),
         Scale::linear(text!("u on the lens", "u на линзе"), -1.15 * half, 1.15 * half),
     );
     points.iter().fold(panel, |panel, Followed { name, meaning, point, .. }| {

@@ -39,7 +39,7 @@ const SHEAR: Entry = Entry {
          нерезкое — на кружок нерезкости за линзу. Внизу: спектр сдвинут в другую сторону. Среднее по t или u оставляет \
          лишь строку ν = 0: чем сильнее наклон, тем меньше в ней частот.",
     ),
-    params: &[Param::real("v", &SPEED, 0.7, -0.8, 0.8, ""), Param::real("A", &APERTURE, 0.4, 0.1, 0.5, "")],
+    params: &[Param::real("v", &SPEED, 0.7, -0.8, 0.8, ""), Param::real("A", &APERTURE, 0.6, 0.1, 0.8, "")],
     build: |params| shear(params),
 };
 
