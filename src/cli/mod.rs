@@ -4,6 +4,7 @@ mod figures;
 mod files;
 mod kernel;
 mod laws;
+mod render;
 
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
@@ -28,7 +29,8 @@ const AFTER: &str = "Exit codes: 0 done, 1 a check failed, 2 usage or input/outp
 Examples:
   nyquist                                  every figure, into figures/
   nyquist f28-leak --set T=0.9             one figure with another step
-  nyquist laws                             every theorem, measured against its bound";
+  nyquist laws                             every theorem, measured against its bound
+  nyquist render spheres -o spheres.png    a scene, sampled in five dimensions";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -38,6 +40,8 @@ enum Command {
     Laws(laws::Args),
     /// List the reconstruction kernels, or tabulate one and its response
     Kernel(kernel::Args),
+    /// Render a scene through lens and shutter into a PNG
+    Render(render::Args),
 }
 
 /// Why the exit code is not zero.
@@ -78,6 +82,7 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Figures(args)) => figures::run(&args, &mut out),
         Some(Command::Laws(args)) => laws::run(&args, &mut out),
         Some(Command::Kernel(args)) => kernel::run(&args, &mut out),
+        Some(Command::Render(args)) => render::run(&args, &mut out),
     };
     match done.and_then(|()| Ok(out.flush()?)) {
         Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,

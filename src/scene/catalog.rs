@@ -120,7 +120,7 @@ fn afternoon(degrees: f64) -> Result<Sun> {
 }
 
 fn daylight() -> Result<Sky> {
-    Sky::new([0.62, 0.72, 0.85], [0.12, 0.26, 0.55])?.with_haze(60.0)
+    Sky::new([0.5, 0.6, 0.74], [0.1, 0.22, 0.5])?.with_haze(120.0)
 }
 
 fn tiles() -> Result<Surface> {
@@ -139,27 +139,27 @@ pub fn spheres() -> Result<World> {
     let camera = LensCamera::new([0.0, 1.25, -5.0], [0.0, 0.62, 0.5], 34.0)?.with_lens(0.22, 5.3)?;
     let world = World::new(camera, afternoon(4.0)?, daylight()?).with_floor(tiles()?);
     Ok(world
-        .with_sphere(Sphere::new([0.1, 0.8, 0.6], 0.8, glossy([0.75, 0.12, 0.1])?)?)
-        .with_sphere(Sphere::new([-1.15, 0.36, -2.2], 0.36, glossy([0.12, 0.42, 0.72])?)?)
+        .with_sphere(Sphere::new([0.1, 0.8, 0.6], 0.8, glossy([0.62, 0.05, 0.04])?)?)
+        .with_sphere(Sphere::new([-1.15, 0.36, -2.2], 0.36, glossy([0.05, 0.25, 0.6])?)?)
         .with_sphere(Sphere::new(
             [1.35, 0.45, -0.7],
             0.45,
             Surface::plain([0.05; 3])?.with_highlight(1.0, 400.0)?.with_mirror(0.8)?,
         )?)
-        .with_sphere(Sphere::new([-2.3, 1.0, 4.6], 1.0, glossy([0.85, 0.6, 0.12])?)?)
-        .with_sphere(Sphere::new([2.9, 0.9, 6.5], 0.9, glossy([0.22, 0.55, 0.2])?)?))
+        .with_sphere(Sphere::new([-2.3, 1.0, 4.6], 1.0, glossy([0.75, 0.42, 0.04])?)?)
+        .with_sphere(Sphere::new([2.9, 0.9, 6.5], 0.9, glossy([0.08, 0.38, 0.08])?)?))
 }
 
-/// A purple sphere far before the plane in focus, in front of a bright sky.
+/// A purple sphere far before the plane in focus, in front of the sky.
 ///
 /// # Errors
 /// None: its numbers are within their ranges.
 pub fn defocus() -> Result<World> {
-    let camera = LensCamera::new([0.0, 0.0, -4.0], [0.0, 0.0, 0.0], 40.0)?.with_lens(0.75, 12.0)?;
-    let sky = Sky::new([0.82, 0.84, 0.88], [0.62, 0.72, 0.9])?;
-    let sun = Sun::new([-0.6, 0.7, -0.7], 1.0, [0.8, 0.78, 0.74])?;
-    let purple = Surface::plain([0.32, 0.08, 0.42])?.with_highlight(1.2, 120.0)?;
-    Ok(World::new(camera, sun, sky).with_sphere(Sphere::new([0.0, 0.0, 0.0], 0.8, purple)?))
+    let camera = LensCamera::new([0.0, 0.0, -4.0], [0.0, 0.0, 0.0], 40.0)?.with_lens(0.85, 12.0)?;
+    let sky = Sky::new([0.36, 0.4, 0.48], [0.2, 0.25, 0.38])?;
+    let sun = Sun::new([-0.6, 0.7, -0.7], 1.0, [1.1, 1.06, 1.0])?;
+    let purple = Surface::plain([0.5, 0.16, 0.66])?.with_highlight(0.3, 20.0)?;
+    Ok(World::new(camera, sun, sky).with_sphere(Sphere::new([0.0, 0.0, 0.0], 0.85, purple)?))
 }
 
 /// Spheres that pass by, fall, come nearer, and one that stands.
@@ -171,10 +171,10 @@ pub fn motion() -> Result<World> {
     let world = World::new(camera, afternoon(3.0)?, daylight()?).with_floor(tiles()?);
     let sphere = |center, radius, color| Sphere::new(center, radius, glossy(color)?);
     Ok(world
-        .with_sphere(sphere([-1.9, 0.45, -0.6], 0.45, [0.8, 0.15, 0.1])?.moving([1.1, 0.0, 0.0])?)
-        .with_sphere(sphere([0.55, 1.75, 0.3], 0.4, [0.15, 0.5, 0.75])?.moving([0.0, -0.7, 0.0])?)
-        .with_sphere(sphere([1.75, 0.5, 0.1], 0.5, [0.9, 0.65, 0.15])?)
-        .with_sphere(sphere([-1.2, 0.6, 3.4], 0.6, [0.25, 0.6, 0.25])?.moving([0.25, 0.0, -1.6])?))
+        .with_sphere(sphere([-1.9, 0.45, -0.6], 0.45, [0.62, 0.05, 0.04])?.moving([0.7, 0.0, 0.0])?)
+        .with_sphere(sphere([0.55, 1.75, 0.3], 0.4, [0.05, 0.25, 0.6])?.moving([0.0, -0.6, 0.0])?)
+        .with_sphere(sphere([1.75, 0.5, 0.1], 0.5, [0.75, 0.42, 0.04])?)
+        .with_sphere(sphere([-1.2, 0.6, 3.4], 0.6, [0.08, 0.38, 0.08])?.moving([0.25, 0.0, -1.6])?))
 }
 
 /// Rows of small shiny spheres whose highlights are narrower than a pixel.
@@ -183,7 +183,7 @@ pub fn motion() -> Result<World> {
 /// None: its numbers are within their ranges.
 pub fn highlights() -> Result<World> {
     let camera = LensCamera::new([0.0, 1.6, -3.2], [0.0, 0.1, 0.6], 38.0)?;
-    let sky = Sky::new([0.1, 0.12, 0.17], [0.03, 0.04, 0.08])?;
+    let sky = Sky::new([0.03, 0.04, 0.07], [0.02, 0.03, 0.06])?;
     let sun = Sun::new([0.4, 0.7, -0.3], 1.0, [1.0, 0.96, 0.9])?;
     let floor = Surface::plain([0.12, 0.11, 0.12])?;
     let mut world = World::new(camera, sun, sky).with_floor(floor);
@@ -210,8 +210,12 @@ fn text() -> Result<impl Field + Send + Sync + 'static> {
     for height in [0.15, 0.11, 0.08, 0.055, 0.038, 0.026, 0.017, 0.011, 0.007] {
         let word = "HALF A TILE ";
         let word = word.repeat((1.2 / (height * word.chars().count() as f64)).ceil() as usize);
-        lines.push(Glyphs::new(&word, [-0.68, top], height)?);
+        lines.push((top, height, Glyphs::new(&word, [-0.68, top], height)?));
         top += 1.85 * height;
     }
-    Ok(from_fn(move |x, y| 1.0 - lines.iter().map(|line| line.at(x, y)).sum::<f64>().min(1.0)))
+    Ok(from_fn(move |x, y| {
+        // only the line at that height has ink there
+        let line = lines.iter().find(|(top, height, _)| (*top..=top + height).contains(&y));
+        1.0 - line.map_or(0.0, |(_, _, line)| line.at(x, y).min(1.0))
+    }))
 }

@@ -1,13 +1,26 @@
 //! From a scene to a picture.
 
 use crate::antialias::supersample::pixel_seed;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::film::{Film, Sample};
 use crate::grid::Grid;
 use crate::image::Rgb;
 use crate::kernel::Kernel;
 use crate::pattern::Pattern;
 use crate::scene::{Scene, ScenePoint};
+
+/// The most pixels of a rendered picture: 2²⁵, two gigabytes while it is made.
+pub const MOST_PIXELS: usize = 1 << 25;
+
+/// The most samples that one row of pixels may have: 2²⁴.
+pub const MOST_IN_A_ROW: usize = 1 << 24;
+
+fn most(what: &'static str, factors: [usize; 2], most: usize) -> Result<()> {
+    match factors[0].checked_mul(factors[1]) {
+        Some(n) if n <= most => Ok(()),
+        _ => Err(Error::Overflow { what, value: factors[0] as f64 * factors[1] as f64, most: most as f64 }),
+    }
+}
 
 /// A picture of a scene: in every pixel a pattern of samples in all five dimensions, weighed by a kernel.
 ///
@@ -25,7 +38,8 @@ use crate::scene::{Scene, ScenePoint};
 /// ```
 ///
 /// # Errors
-/// A picture without pixels or with more than [`Grid::MOST`], a kernel of infinite radius.
+/// A picture without pixels or with more than [`MOST_PIXELS`], more samples a row than [`MOST_IN_A_ROW`], a kernel of
+/// infinite radius.
 pub fn render(
     scene: &(impl Scene + ?Sized),
     width: usize,
@@ -49,6 +63,8 @@ pub fn render_watched(
     seed: u64,
     watch: impl Fn() + Sync + Send,
 ) -> Result<Rgb> {
+    most("the number of pixels of a picture", [width, height], MOST_PIXELS)?;
+    most("the number of samples in a row of pixels", [width, pattern.count().unwrap_or(1)], MOST_IN_A_ROW)?;
     let film = Film::new(Grid::pixels(width, height)?, kernel)?;
     let reach = film.reach() as i64;
     // a pixel in heights of the picture, and where the picture's middle is

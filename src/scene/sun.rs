@@ -10,7 +10,9 @@ use std::f64::consts::PI;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sun {
     pub(in crate::scene) direction: Vector,
-    pub(in crate::scene) radius: f64,
+    radius: f64,
+    sin: f64,
+    cos: f64,
     pub(in crate::scene) light: [f64; 3],
 }
 
@@ -26,7 +28,9 @@ impl Sun {
             return Err(Error::Unsupported("a light needs a direction"));
         }
         within("the angular radius of a light, in degrees,", degrees, 0.0, 30.0)?;
-        Ok(Self { direction, radius: degrees.to_radians(), light: light("the light of a sun", given)? })
+        let radius = degrees.to_radians();
+        let light = light("the light of a sun", given)?;
+        Ok(Self { direction, radius, sin: radius.sin(), cos: radius.cos(), light })
     }
 
     /// The share of the light that a sphere leaves to a point at a time: one minus the overlap of two discs.
@@ -37,11 +41,14 @@ impl Sun {
     pub(in crate::scene) fn share(&self, point: Vector, sphere: &Sphere, time: f64) -> f64 {
         let to = sphere.center(time) - point;
         let along = to.dot(self.direction);
+        let aside = self.direction.cross(to).length();
+        // clear of the cone of the light: most spheres, most of the time
+        let clear = aside * self.cos - along * self.sin >= sphere.radius;
         let distance = to.length();
-        if along <= -sphere.radius || distance <= sphere.radius {
+        if clear || along <= -sphere.radius || distance <= sphere.radius {
             return 1.0;
         }
-        let between = self.direction.cross(to).length().atan2(along);
+        let between = aside.atan2(along);
         1.0 - overlap(self.radius, (sphere.radius / distance).asin(), between)
     }
 }
