@@ -155,7 +155,7 @@ pub fn spheres() -> Result<World> {
 /// # Errors
 /// None: its numbers are within their ranges.
 pub fn defocus() -> Result<World> {
-    let camera = LensCamera::new([0.0, 0.0, -4.0], [0.0, 0.0, 0.0], 40.0)?.with_lens(0.85, 12.0)?;
+    let camera = LensCamera::new([0.0, 0.0, -4.0], [0.0, 0.0, 0.0], 40.0)?.with_lens(1.0, 12.0)?;
     let sky = Sky::new([0.36, 0.4, 0.48], [0.2, 0.25, 0.38])?;
     let sun = Sun::new([-0.6, 0.7, -0.7], 1.0, [1.1, 1.06, 1.0])?;
     let purple = Surface::plain([0.5, 0.16, 0.66])?.with_highlight(0.3, 20.0)?;
@@ -187,12 +187,12 @@ pub fn highlights() -> Result<World> {
     let sun = Sun::new([0.4, 0.7, -0.3], 1.0, [1.0, 0.96, 0.9])?;
     let floor = Surface::plain([0.12, 0.11, 0.12])?;
     let mut world = World::new(camera, sun, sky).with_floor(floor);
-    for row in 0..9 {
-        for column in 0..11 {
-            let (row, column) = (f64::from(row), f64::from(column) - 5.0);
-            let color = [0.1 + 0.04 * row, 0.06, 0.35 - 0.03 * row];
+    for row in 0..6 {
+        for column in 0..9 {
+            let (row, column) = (f64::from(row), f64::from(column) - 4.0);
+            let color = [0.1 + 0.06 * row, 0.06, 0.35 - 0.05 * row];
             let pearl = Surface::plain(color)?.with_highlight(12.0, 3000.0)?;
-            world = world.with_sphere(Sphere::new([0.33 * column, 0.13, 0.4 * row - 1.0], 0.13, pearl)?);
+            world = world.with_sphere(Sphere::new([0.4 * column, 0.16, 0.55 * row - 0.9], 0.16, pearl)?);
         }
     }
     Ok(world)

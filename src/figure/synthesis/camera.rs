@@ -45,9 +45,9 @@ const CAMERA: Entry = Entry {
 };
 
 /// Pixels of the fine pictures, in a row and rows.
-const SIZE: usize = 96;
+const SIZE: usize = 112;
 /// Fine pixels in a pixel of the sensor, across and down.
-const COARSE: usize = 6;
+const COARSE: usize = 7;
 
 /// A still sphere in focus, one far behind, and one that passes in front.
 fn scene(aperture: f64) -> Result<World> {
@@ -91,7 +91,7 @@ fn camera(params: &Params) -> Result<Figure> {
     let (aperture, seed) = (params.real("A"), params.count("seed") as u64);
     let world = scene(aperture)?;
     let pinhole = Regular::new([4, 4, 1, 1, 1])?;
-    let strata = Padded::with_count(144)?;
+    let strata = Padded::with_count(100)?;
     let picture = |lens: bool, time: bool, pattern: &dyn Pattern<5>| {
         sampled(&Held { world: &world, lens, time }, SIZE, pattern, seed)
     };

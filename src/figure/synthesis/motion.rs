@@ -43,7 +43,7 @@ const MOTION: Entry = Entry {
 };
 
 /// Pixels in a row and rows.
-const SIZE: usize = 72;
+const SIZE: usize = 64;
 /// Patterns over which the strata are averaged.
 const PATTERNS: u32 = 400;
 /// Samples in each of them.
@@ -119,6 +119,7 @@ fn motion(params: &Params) -> Result<Figure> {
         by_strata.iter().map(|(w, mean, error)| (mean - sinc(*w)).abs() / (error + rounding)).fold(0.0, f64::max);
     let [of_moments, of_strata] = [squared_error(&strobed, &blurred)?, squared_error(&strata, &blurred)?];
     Ok(Figure::new(3)
+        .heights([1.0, 1.12])
         .with(shown("frozen", text!("one moment", "один момент"), &frozen, (0.0, 1.0)))
         .with(shown("strobed", text!("{moments} equal moments", "равных моментов: {moments}"), &strobed, (0.0, 1.0)))
         .with(shown("strata", text!("{STRATA} strata of time", "{STRATA} страт времени"), &strata, (0.0, 1.0)))
