@@ -4,8 +4,9 @@ use crate::axis::Edge;
 use crate::error::Result;
 use crate::figure::params::{Param, Params};
 use crate::figure::synthesis::rendered::{sampled, shown};
-use crate::figure::{Entry, Figure};
+use crate::figure::{Entry, Figure, Panel};
 use crate::image::Image;
+use crate::image::dft::forward;
 use crate::image::resize::resize;
 use crate::kernel::box_kernel::BoxKernel;
 use crate::pattern::Pattern;
@@ -45,9 +46,9 @@ const CAMERA: Entry = Entry {
 };
 
 /// Pixels of the fine pictures, in a row and rows.
-const SIZE: usize = 112;
+const SIZE: usize = 96;
 /// Fine pixels in a pixel of the sensor, across and down.
-const COARSE: usize = 7;
+const COARSE: usize = 6;
 
 /// A still sphere in focus, one far behind, and one that passes in front.
 fn scene(aperture: f64) -> Result<World> {
@@ -103,11 +104,18 @@ fn camera(params: &Params) -> Result<Figure> {
 
     let steps = [&radiance, &lens, &shutter].map(sharpness);
     let tones = (0.0, 0.9);
+    let spectrum = |name, picture: &Image| -> Result<Panel> {
+        Ok(shown(name, text!("its spectrum", "спектр"), &forward(picture).log_magnitude(-80.0)?, (0.0, 1.0)))
+    };
     Ok(Figure::new(4)
         .with(shown("radiance", text!("radiance", "яркость сцены"), &radiance, tones))
         .with(shown("lens", text!("through the lens", "через линзу"), &lens, tones))
         .with(shown("shutter", text!("and the shutter", "и затвор"), &shutter, tones))
         .with(shown("sensor", text!("on the sensor", "на сенсоре"), &sensor, tones))
+        .with(spectrum("radiance-spectrum", &radiance)?)
+        .with(spectrum("lens-spectrum", &lens)?)
+        .with(spectrum("shutter-spectrum", &shutter)?)
+        .with(spectrum("sensor-spectrum", &sensor)?)
         .claim(
             text!(
                 "lens and shutter each leave less to alias: differences of neighbours {}, {}, {}",

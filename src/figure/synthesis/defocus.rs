@@ -92,7 +92,7 @@ fn defocus(params: &Params) -> Result<Figure> {
         text!("error, strata of …", "ошибка, страты …"),
         Scale::log(text!("rays a pixel", "лучей на пиксель"), 3.0, 90.0)
             .ticks(COUNTS.map(|n| (n as f64, Text::of(n.to_string(), n.to_string())))),
-        Scale::log(text!("mean squared error", "средний квадрат ошибки"), 3e-6, 3e-3),
+        Scale::log(text!("mean squared error", "средний квадрат ошибки"), 3e-7, 3e-3),
     )
     .legend(Legend::LowerLeft);
     let mut pictures = Vec::new();
