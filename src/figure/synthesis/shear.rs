@@ -54,7 +54,7 @@ const SHOWN: f64 = 16.0;
 /// A few bars: `½(1 + cos 2πkx)` under a Gaussian.
 fn bars() -> Result<impl FourierPair> {
     let envelope = Gaussian::new(WIDTH)?;
-    Ok(Scaled::new(0.5, Sum(envelope, Modulated::new(BARS, envelope)?))?)
+    Scaled::new(0.5, Sum(envelope, Modulated::new(BARS, envelope)?))
 }
 
 /// A slice of the scene function: `x` on the film over `−1 … 1` and the other coordinate, `−½ … ½` of a shutter's time or
