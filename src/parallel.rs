@@ -15,3 +15,17 @@ pub(crate) fn map<T: Send>(n: usize, f: impl Fn(usize) -> T + Sync + Send) -> Ve
 pub(crate) fn map<T: Send>(n: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
     (0..n).map(f).collect()
 }
+
+/// `f(i, chunk)` for the `i`-th chunk of `len` values (the last may be shorter), on all threads of the current pool.
+#[cfg(feature = "threads")]
+pub(crate) fn chunks<T: Send>(values: &mut [T], len: usize, f: impl Fn(usize, &mut [T]) + Sync + Send) {
+    use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+    use rayon::slice::ParallelSliceMut;
+    values.par_chunks_mut(len).enumerate().for_each(|(i, chunk)| f(i, chunk));
+}
+
+/// `f(i, chunk)` for the `i`-th chunk of `len` values (the last may be shorter).
+#[cfg(not(feature = "threads"))]
+pub(crate) fn chunks<T: Send>(values: &mut [T], len: usize, f: impl Fn(usize, &mut [T]) + Sync + Send) {
+    values.chunks_mut(len).enumerate().for_each(|(i, chunk)| f(i, chunk));
+}

@@ -12,8 +12,10 @@ use crate::kernel::Kernel;
 ///
 /// The convolution is a sum over the field's exact means in `parts × parts` cells a pixel, weighted by the kernel at
 /// their middles. So a frequency `ν` (in cycles per pixel, along one axis) is passed with
-/// `sinc(ν/parts)·Σ_m K(ν + m·parts)/Σ_m K(m·parts)`: the kernel's response to `O((ν/parts)²)`, and what lies near
-/// multiples of `parts` cycles is held back by the exact mean, `sinc` being zero there. A constant stays the constant.
+/// `sinc(ν/parts)·Σ_m s^m K(ν + m·parts)/Σ_m s^m K(m·parts)`, where `s` is −1 for an even number of parts, whose middles
+/// stand half a cell beside the pixel's centre, and 1 for an odd one. That is the kernel's response to `O((ν/parts)²)`,
+/// and what lies near multiples of `parts` cycles is held back by the exact mean, `sinc` being zero there. A constant
+/// stays the constant.
 ///
 /// ```
 /// use nyquist::prelude::*;

@@ -97,7 +97,7 @@ pub fn weighted(field: &(impl Field + Sync), grid: Grid, taps: &[Tap]) -> Result
     crate::error::all_finite("places and weights of samples", &numbers)?;
     let (sum, amounts) = taps.iter().fold((0.0, 0.0), |(s, a), t| (s + t.weight, a + t.weight.abs()));
     let slack = 2.0 * f64::EPSILON * taps.len() as f64 * amounts;
-    if !((sum - 1.0).abs() <= slack) {
+    if !amounts.is_finite() || (sum - 1.0).abs() > slack {
         let what = "the sum of the weights of a pixel's samples";
         return Err(Error::OutOfRange { what, value: sum, low: 1.0 - slack, high: 1.0 + slack });
     }
