@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 27] = [
+const FLOORS: [&str; 28] = [
     "error",
     "text",
     "num",
@@ -26,6 +26,7 @@ const FLOORS: [&str; 27] = [
     "film",
     "antialias",
     "door",
+    "scene",
     "beyond",
     "resolve",
     "laws",

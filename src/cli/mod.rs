@@ -5,6 +5,7 @@ mod files;
 mod kernel;
 mod laws;
 mod points;
+mod render;
 
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
@@ -29,7 +30,8 @@ const AFTER: &str = "Exit codes: 0 done, 1 a check failed, 2 usage or input/outp
 Examples:
   nyquist                                  every figure, into figures/
   nyquist f28-leak --set T=0.9             one figure with another step
-  nyquist laws                             every theorem, measured against its bound";
+  nyquist laws                             every theorem, measured against its bound
+  nyquist render spheres -o spheres.png    a scene, sampled in five dimensions";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -41,6 +43,8 @@ enum Command {
     Kernel(kernel::Args),
     /// Write the points of a sample pattern, and draw their spectrum
     Points(points::Args),
+    /// Render a scene through lens and shutter into a PNG
+    Render(render::Args),
 }
 
 /// Why the exit code is not zero.
@@ -82,6 +86,7 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Laws(args)) => laws::run(&args, &mut out),
         Some(Command::Kernel(args)) => kernel::run(&args, &mut out),
         Some(Command::Points(args)) => points::run(&args, &mut out),
+        Some(Command::Render(args)) => render::run(&args, &mut out),
     };
     match done.and_then(|()| Ok(out.flush()?)) {
         Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,

@@ -101,3 +101,8 @@ fn of_reconstruction() {
 fn of_aliasing_and_its_remedies() {
     tried_together(&["f27", "f28", "f29", "f30", "f31", "f32", "f33"]);
 }
+
+#[test]
+fn of_lens_and_shutter() {
+    tried(&["f47", "f53"]);
+}

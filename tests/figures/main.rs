@@ -9,4 +9,5 @@ mod numbers_edges_and_filters;
 mod numbers_formal;
 mod numbers_further;
 mod numbers_patterns;
+mod numbers_scene;
 mod numbers_stochastic;
