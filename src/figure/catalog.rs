@@ -1,7 +1,7 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::figure::{Entry, alias, film, formal, further, problem, reconstruction, remedy, synthesis};
+use crate::figure::{Entry, alias, film, formal, further, images, problem, reconstruction, remedy, synthesis};
 
 /// The chapters, each with its families.
 static CHAPTERS: &[&[&[Entry]]] = &[
@@ -10,6 +10,7 @@ static CHAPTERS: &[&[&[Entry]]] = &[
     reconstruction::FAMILIES,
     alias::FAMILIES,
     remedy::FAMILIES,
+    images::FAMILIES,
     synthesis::FAMILIES,
     film::FAMILIES,
     further::FAMILIES,

@@ -1,0 +1,64 @@
+//! How pictures and their spectra are shown in this chapter.
+
+use crate::axis::Axis;
+use crate::error::Result;
+use crate::figure::{Layer, Panel, Scale, Tones};
+use crate::image::{Image, ImageBins};
+use crate::residual::Residual;
+use crate::text::Text;
+use ndarray::Array2;
+
+/// From where to where the pixels of an axis reach: half a step beyond the outermost middles.
+pub(super) fn extent(axis: Axis) -> (f64, f64) {
+    let start = axis.start() - 0.5 * axis.step();
+    (start, start + axis.span())
+}
+
+/// A picture in grey, from black at `low` to white at `high`; `y` points up, as in formulas.
+pub(super) fn picture(name: &'static str, title: Text, image: &Image, tones: (f64, f64)) -> Panel {
+    let (x, y) = (extent(image.grid().x()), extent(image.grid().y()));
+    let scale = |(low, high)| Scale::linear(Text::EMPTY, low, high).bare();
+    Panel::new(name, title, scale(x), scale(y)).square().with(Layer::raster(
+        "picture",
+        x,
+        y,
+        image.pixels().clone(),
+        tones,
+        Tones::Grey,
+    ))
+}
+
+/// The same turned upside down, for photographs, whose rows run downward.
+pub(super) fn photograph(name: &'static str, title: Text, image: &Image, tones: (f64, f64)) -> Panel {
+    let mut panel = picture(name, title, image, tones);
+    panel.y.range = (panel.y.range.1, panel.y.range.0);
+    panel
+}
+
+/// A part of an array around the bin of zero frequency: `reach` bins to every side.
+fn around_zero(values: &Array2<f64>, reach: usize) -> Array2<f64> {
+    let (rows, columns) = values.dim();
+    let (top, left) = (rows / 2 - reach, columns / 2 - reach);
+    Array2::from_shape_fn((2 * reach + 1, 2 * reach + 1), |(l, k)| values[[top + l, left + k]])
+}
+
+/// The middle of a spectrum, `reach` bins from zero to every side, as decibels from `floor` to 0; the scales count bins:
+/// periods across the picture.
+pub(super) fn spectrum(name: &'static str, title: Text, bins: &ImageBins, floor: f64, reach: usize) -> Result<Panel> {
+    let end = reach as f64 + 0.5;
+    let scale = || Scale::linear(Text::EMPTY, -end, end);
+    let shown = around_zero(bins.log_magnitude(floor)?.pixels(), reach);
+    Ok(Panel::new(name, title, scale(), scale()).square().with(Layer::raster(
+        "spectrum",
+        (-end, end),
+        (-end, end),
+        shown,
+        (0.0, 1.0),
+        Tones::Data,
+    )))
+}
+
+/// The one that comes nearer to its bound.
+pub(super) fn worse(a: Residual, b: Residual) -> Residual {
+    if a.measured / a.bound >= b.measured / b.bound { a } else { b }
+}
