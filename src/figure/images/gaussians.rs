@@ -5,12 +5,13 @@ use crate::field::spot::GaussianSpot;
 use crate::field::{Field, FourierField, from_fn};
 use crate::figure::images::view::{extent, picture, spectrum, worse};
 use crate::figure::params::Param;
-use crate::figure::{Entry, Figure, Layer, Legend, Mark, Meaning, Panel, Scale};
+use crate::figure::{Entry, Figure, Layer, Mark, Meaning, Panel, Scale};
 use crate::grid::Grid;
 use crate::image::dft::forward;
 use crate::image::{Image, ImageBins};
 use crate::laws::plane::{spectrum_by_transform, transform_rounding};
 use crate::num::isoline::isoline;
+use crate::num::{cos_pi, sin_pi};
 use crate::residual::Residual;
 use crate::text;
 use crate::text::{Text, number};
@@ -22,7 +23,7 @@ pub static ENTRIES: &[Entry] = &[ROUND, TURNED];
 /// Pixels along a side.
 const SIDE: usize = 128;
 /// How many bins to every side of zero are shown.
-const REACH: usize = 12;
+const REACH: usize = 9;
 /// The darkest tone of a spectrum, in decibels.
 const FLOOR: f64 = -60.0;
 
@@ -77,15 +78,15 @@ fn round(a: f64) -> Result<Figure> {
     for i in 0..2 {
         let (known, radius) = (spots[i].spectrum(), number(radii[i], 3));
         let curve = move |k: f64| known.density(k / SIDE as f64, 0.0).re / known.density(0.0, 0.0).re;
+        let below = if i == 0 { Text::EMPTY } else { text!("periods across", "периодов на ширину") };
         let row = Panel::new(
             names[i][2],
             text!("row v = 0", "строка v = 0"),
-            Scale::linear(text!("periods across", "периодов на ширину"), -end, end),
+            Scale::linear(below, -end, end),
             Scale::linear(Text::same("F(k)/F(0)"), 0.0, 1.12),
         )
-        .legend(Legend::Above)
-        .with(Layer::curve("theory", Meaning::Theory, -end, end, 400, curve).label(Text::same("e^{−π²a²k²/N²}")))
-        .with(Layer::stems("bins", Meaning::Signal, profiles[i].clone()).label(text!("bins", "отсчёты")));
+        .with(Layer::curve("theory", Meaning::Theory, -end, end, 400, curve))
+        .with(Layer::stems("bins", Meaning::Signal, profiles[i].clone()));
         figure = figure
             .with(picture(names[i][0], text!("e^{{−r²/{radius}²}}", "e^{{−r²/{radius}²}}"), &images[i], (0.0, 1.0)))
             .with(spectrum(names[i][1], text!("spectrum, dB", "спектр, дБ"), &bins[i], FLOOR, REACH)?)
@@ -190,6 +191,17 @@ fn contour(name: &'static str, meaning: Meaning, panel: &Panel, level: f64) -> L
     Layer::line(name, meaning, segments.into_iter().flat_map(|[a, b]| [a, b, [f64::NAN, f64::NAN]])).thick()
 }
 
+/// The ellipse of a Gaussian of these widths, in bins, at so many decibels.
+fn ellipse(name: &'static str, meaning: Meaning, (angle, widths): (f64, [f64; 2]), decibels: f64) -> Layer {
+    let scale = (-decibels / 10.0 * 10f64.ln()).sqrt() * SIDE as f64; // e^{−t²/2} = 10^{dB/20}
+    let (sin, cos) = angle.sin_cos();
+    let at = |turns: f64| {
+        let [a, b] = [widths[0] * cos_pi(2.0 * turns), widths[1] * sin_pi(2.0 * turns)];
+        [scale * (a * cos - b * sin), scale * (a * sin + b * cos)]
+    };
+    Layer::line(name, meaning, (0..=120).map(|i| at(f64::from(i) / 120.0))).thick()
+}
+
 fn turned(angle: f64) -> Result<Figure> {
     let radii = [32.0, 16.0];
     let spots = [GaussianSpot::new(radii)?, GaussianSpot::turned(radii, angle.to_radians())?];
@@ -210,31 +222,43 @@ fn turned(angle: f64) -> Result<Figure> {
         spectrum("turned-spectrum", below(), &bins[1], FLOOR, REACH)?,
     ];
     let end = REACH as f64 + 0.5;
-    let contours = |name, title, scale: Scale, level: f64, [first, second]: [&Panel; 2]| {
-        Panel::new(name, title, scale.clone(), scale)
-            .square()
-            .legend(Legend::Above)
-            .with(contour("along", Meaning::Series(0), first, level).label(text!("as it was", "как был")))
-            .with(contour("turned", Meaning::Series(1), second, level).label(text!("turned", "повёрнут")))
+    let ((first, widths), (second, others)) = (axes(moments(&bins[0])), axes(moments(&bins[1])));
+    let ratio = widths[0] / widths[1];
+    let overlay = |name, title, scale: Scale, lines: [Layer; 2], at: f64, upright: bool| {
+        let away = |angle: f64| {
+            let (sin, cos) = angle.to_radians().sin_cos();
+            if upright { [-at * sin, at * cos] } else { [at * cos, at * sin] }
+        };
+        let names = [("name-along", 180.0, "0°".to_owned()), ("name-turned", angle, format!("{degrees}°"))];
+        let panel = lines.into_iter().fold(Panel::new(name, title, scale.clone(), scale).square(), Panel::with);
+        (0u8..).zip(names).fold(panel, |panel, (i, (name, place, label))| {
+            panel.with(Layer::notes(name, Meaning::Series(i), [(away(place), text!("{label}", "{label}"))]))
+        })
     };
     let (low, high) = extent(grid()?.x());
-    let space = contours(
+    let space = overlay(
         "contours",
-        text!("half height", "половина высоты"),
+        text!("both at half height", "оба на половине высоты"),
         Scale::linear(Text::EMPTY, low, high),
-        0.5,
-        [&pictures[0], &pictures[1]],
+        [
+            contour("along", Meaning::Series(0), &pictures[0], 0.5),
+            contour("turned", Meaning::Series(1), &pictures[1], 0.5),
+        ],
+        45.0,
+        false,
     );
-    let frequency = contours(
+    let frequency = overlay(
         "spectrum-contours",
-        text!("−50 dB", "−50 дБ"),
+        text!("both at −40 dB", "оба на уровне −40 дБ"),
         Scale::linear(Text::EMPTY, -end, end),
-        1.0 - 50.0 / -FLOOR,
-        [&spectra[0], &spectra[1]],
+        [
+            ellipse("along", Meaning::Series(0), (first, widths), -40.0),
+            ellipse("turned", Meaning::Series(1), (second, others), -40.0),
+        ],
+        7.5,
+        true,
     );
 
-    let ((first, widths), (second, _)) = (axes(moments(&bins[0])), axes(moments(&bins[1])));
-    let ratio = widths[0] / widths[1];
     // the moments are the bends at zero of the repeated spot over its value there, −∇∇f/(4π²f): the copies add to both
     let side = SIDE as f64;
     let tail = |spot: &GaussianSpot| -> f64 {

@@ -65,7 +65,7 @@ fn argument(of: char, periods: usize) -> String {
 }
 
 /// The sizes of the bins in the row of zero vertical frequency, in units of N².
-fn row(name: &'static str, image: &Image) -> Panel {
+fn row(name: &'static str, image: &Image, below: Text) -> Panel {
     let bins = forward(image);
     let size = |k: i64| bins.bin(k, 0).norm() / bins.space().area();
     let reach = REACH as i64;
@@ -74,7 +74,7 @@ fn row(name: &'static str, image: &Image) -> Panel {
     Panel::new(
         name,
         text!("row v = 0", "строка v = 0"),
-        Scale::linear(text!("periods across", "периодов на ширину"), -end, end),
+        Scale::linear(below, -end, end),
         Scale::linear(Text::same("|F|/N²"), 0.0, 0.62),
     )
     .with(Layer::stems("bins", Meaning::Signal, stems))
@@ -89,10 +89,10 @@ fn constant_and_sine(k: usize) -> Result<Figure> {
     Ok(Figure::new(3)
         .with(picture("constant", text!("constant ½", "константа ½"), &images[0], (0.0, 1.0)))
         .with(shown(&images[0], "constant-spectrum", text!("spectrum, dB", "спектр, дБ"))?)
-        .with(row("constant-row", &images[0]))
+        .with(row("constant-row", &images[0], Text::EMPTY))
         .with(picture("sine", text!("sin({argument})", "sin({argument})"), &images[1], (-1.0, 1.0)))
         .with(shown(&images[1], "sine-spectrum", text!("spectrum, dB", "спектр, дБ"))?)
-        .with(row("sine-row", &images[1]))
+        .with(row("sine-row", &images[1], text!("periods across", "периодов на ширину")))
         .claim(
             text!(
                 "the constant ½: one bin at zero, ½·N² = {half}, and nothing else",
@@ -136,40 +136,31 @@ fn waves(params: &Params) -> Result<Figure> {
     let (product, slower) = (Plaid::new(across, up)?, Plaid::new(slow, up)?);
     let (half, quarter) = (number((SIDE * SIDE / 2) as f64, 4), number((SIDE * SIDE / 4) as f64, 4));
     let [x, y, z] = [argument('x', k), argument('y', l), argument('x', m)];
-    let two = |f: &Grating, name, beside, title: Text, at: Text| -> Result<(Panel, Panel, Text, Residual)> {
-        shown(f, &Image::of(f, grid()?), (name, beside), title, at)
-    };
-    let four =
-        |f: &Plaid, name, beside, title: Text, at: Text| shown(f, &Image::of(f, grid()?), (name, beside), title, at);
     let columns = [
-        two(
+        Column::of(
             &across,
-            "across",
-            "across-spectrum",
+            ["across", "across-spectrum"],
             text!("sin({x})", "sin({x})"),
             text!("sin({x}): peaks at (±{k}, 0), N²/2 = {half}", "sin({x}): пики в (±{k}, 0), N²/2 = {half}"),
         )?,
-        two(
+        Column::of(
             &up,
-            "up",
-            "up-spectrum",
+            ["up", "up-spectrum"],
             text!("sin({y})", "sin({y})"),
             text!("sin({y}): peaks at (0, ±{l}), N²/2 = {half}", "sin({y}): пики в (0, ±{l}), N²/2 = {half}"),
         )?,
-        four(
+        Column::of(
             &product,
-            "product",
-            "product-spectrum",
+            ["product", "product-spectrum"],
             text!("their product", "их произведение"),
             text!(
                 "their product: four peaks at (±{k}, ±{l}), N²/4 = {quarter}",
                 "их произведение: четыре пика в (±{k}, ±{l}), N²/4 = {quarter}"
             ),
         )?,
-        four(
+        Column::of(
             &slower,
-            "slower",
-            "slower-spectrum",
+            ["slower", "slower-spectrum"],
             text!("sin({z})·sin({y})", "sin({z})·sin({y})"),
             text!(
                 "sin({z})·sin({y}): four peaks at (±{m}, ±{l}), N²/4 = {quarter}",
@@ -177,19 +168,27 @@ fn waves(params: &Params) -> Result<Figure> {
             ),
         )?,
     ];
-    let figure = columns.iter().fold(Figure::new(4), |figure, column| figure.with(column.0.clone()));
-    let figure = columns.iter().fold(figure, |figure, column| figure.with(column.1.clone()));
-    Ok(columns.into_iter().fold(figure, |figure, (_, _, says, residual)| figure.claim(says, residual)))
+    let figure = columns.iter().fold(Figure::new(4), |figure, column| figure.with(column.above.clone()));
+    let figure = columns.iter().fold(figure, |figure, column| figure.with(column.below.clone()));
+    Ok(columns.into_iter().fold(figure, |figure, column| figure.claim(column.says, column.residual)))
 }
 
 /// A picture above its spectrum, and the claim that its peaks are those of the closed form.
-fn shown(
-    field: &impl FourierField,
-    image: &Image,
-    (name, beside): (&'static str, &'static str),
-    title: Text,
-    at: Text,
-) -> Result<(Panel, Panel, Text, Residual)> {
-    let below = spectrum(beside, Text::EMPTY, &forward(image), FLOOR, REACH)?;
-    Ok((picture(name, title, image, (-1.0, 1.0)), below, at, spectrum_by_transform(image, &field.spectrum(), 0.0)))
+struct Column {
+    above: Panel,
+    below: Panel,
+    says: Text,
+    residual: Residual,
+}
+
+impl Column {
+    fn of(field: &impl FourierField, [above, below]: [&'static str; 2], title: Text, says: Text) -> Result<Self> {
+        let image = Image::of(field, grid()?);
+        Ok(Self {
+            above: picture(above, title, &image, (-1.0, 1.0)),
+            below: spectrum(below, Text::EMPTY, &forward(&image), FLOOR, REACH)?,
+            says,
+            residual: spectrum_by_transform(&image, &field.spectrum(), 0.0),
+        })
+    }
 }
