@@ -91,3 +91,8 @@ fn of_reconstruction() {
 fn of_aliasing_and_its_remedies() {
     tried_together(&["f27", "f28", "f29", "f30", "f31", "f32", "f33"]);
 }
+
+#[test]
+fn of_pictures_and_their_spectra() {
+    tried(&["f43", "f44", "f45", "f46", "f59"]);
+}

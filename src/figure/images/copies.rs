@@ -14,6 +14,7 @@ use crate::num::{cos_pi, sin_pi};
 use crate::residual::Residual;
 use crate::text;
 use crate::text::{Text, number};
+use num_complex::Complex;
 
 /// The figures of this family.
 pub static ENTRIES: &[Entry] = &[COPIES];
@@ -29,10 +30,10 @@ const COPIES: Entry = Entry {
     caption: &Text::fixed(
         "A star without frequencies above the circle, times the comb of the plane: every second, fourth, sixth pixel is \
          kept, in both directions. Its spectrum repeats on a square lattice, 1/T apart. As long as the circles do not meet, \
-         the one in the middle is untouched, and cutting it out restores the star; with the largest step they overlap.",
+         the one in the middle is untouched, and cutting it out restores the star; with the largest step they overlap. (Of the pictures the middle quarter is shown.)",
         "Звезда без частот за пределами круга, умноженная на плоский гребень Дирака: по обоим направлениям остаётся каждый \
          второй, четвёртый, шестой пиксел. Её спектр повторяется на квадратной решётке с шагом 1/T. Пока круги не \
-         пересеклись, средний цел, и, вырезав его, можно восстановить звезду; при самом большом шаге они накладываются.",
+         пересеклись, средний цел, и, вырезав его, можно восстановить звезду; при самом большом шаге они накладываются. (От картинок показана середина.)",
     ),
     params: &[Param::count("B", &BAND, 14, 8, 24)],
     build: |params| copies(params.count("B")),
@@ -41,6 +42,8 @@ const COPIES: Entry = Entry {
 /// Pixels along a side: all the steps divide it.
 const SIDE: usize = 120;
 const STEPS: [usize; 3] = [2, 4, 6];
+/// Pixels along a side of what is shown of the pictures.
+const MIDDLE: usize = 60;
 /// The darkest tone of a spectrum, in decibels.
 const FLOOR: f64 = -60.0;
 
@@ -53,6 +56,13 @@ fn combed(image: &Image, step: usize) -> Result<Image> {
     Image::new(image.grid(), combed.collect())
 }
 
+/// The middle of a picture.
+fn middle(image: &Image) -> Result<Image> {
+    let first = (SIDE - MIDDLE) / 2;
+    let places = (first..first + MIDDLE).flat_map(|j| (first..first + MIDDLE).map(move |i| (i, j)));
+    Image::new(Grid::centered(1.0, MIDDLE, MIDDLE)?, places.map(|(i, j)| image.at(i, j)).collect())
+}
+
 /// The circle of the band around every copy whose middle is shown, as one line.
 fn circles(step: usize, radius: f64) -> Vec<[f64; 2]> {
     let apart = (SIDE / step) as f64;
@@ -60,8 +70,8 @@ fn circles(step: usize, radius: f64) -> Vec<[f64; 2]> {
     let middles = (-most..=most).flat_map(|k| (-most..=most).map(move |l| [k as f64 * apart, l as f64 * apart]));
     let end = 0.5 * SIDE as f64 - 0.5;
     let circle = |[u, v]: [f64; 2]| {
-        let turn = move |i: i32| 2.0 * f64::from(i) / 72.0;
-        let around = (0..=72).map(move |i| [u + radius * cos_pi(turn(i)), v + radius * sin_pi(turn(i))]);
+        let turn = move |i: i32| 2.0 * f64::from(i) / 48.0;
+        let around = (0..=48).map(move |i| [u + radius * cos_pi(turn(i)), v + radius * sin_pi(turn(i))]);
         around.map(move |p| if p.iter().all(|x| x.abs() <= end) { p } else { [f64::NAN; 2] }).chain([[f64::NAN; 2]])
     };
     middles.flat_map(circle).collect()
@@ -75,7 +85,7 @@ fn found(whole: &ImageBins, sampled: &ImageBins, step: usize, radius: f64) -> [f
     for l in -n / 2..n / 2 {
         for k in -n / 2..n / 2 {
             let copies = (0..step as i64).flat_map(|a| (0..step as i64).map(move |b| [k - a * apart, l - b * apart]));
-            let sum: num_complex::Complex<f64> = copies.map(|[k, l]| whole.bin(k, l)).sum();
+            let sum: Complex<f64> = copies.map(|[k, l]| whole.bin(k, l)).sum();
             worst = worst.max((sampled.bin(k, l) - sum).norm());
             if (k as f64).hypot(l as f64) < radius {
                 leaked += (sampled.bin(k, l) - whole.bin(k, l)).norm_sqr();
@@ -100,7 +110,8 @@ fn copies(band: usize) -> Result<Figure> {
             .with(Layer::line("copies", Meaning::Replica, circles(step, radius)).thin())
             .with(Layer::line("band", Meaning::Leaked, circles(1, radius)).thick()))
     };
-    let mut figure = Figure::new(4).with(picture("whole", text!("every pixel", "все пикселы"), &limited, (0.0, 1.0)));
+    let mut figure =
+        Figure::new(4).with(picture("whole", text!("every pixel", "все пикселы"), &middle(&limited)?, (0.0, 1.0)));
     let mut below = vec![view("whole-spectrum", &whole, 1)?];
     let mut claims = Vec::new();
     for (step, names) in STEPS.into_iter().zip([
@@ -113,7 +124,7 @@ fn copies(band: usize) -> Result<Figure> {
         let [worst, leaked] = found(&whole, &bins, step, radius);
         let apart = SIDE / step;
         let weight = (step * step) as f64;
-        figure = figure.with(picture(names[0], text!("T = {step}", "T = {step}"), &sampled, (0.0, weight)));
+        figure = figure.with(picture(names[0], text!("T = {step}", "T = {step}"), &middle(&sampled)?, (0.0, weight)));
         below.push(view(names[1], &bins, step)?);
         claims.push((
             text!(

@@ -3,9 +3,9 @@
 use crate::axis::Edge;
 use crate::door::{Limits, read_picture};
 use crate::error::Result;
-use crate::figure::images::view::{photograph, spectrum, worse};
+use crate::figure::images::view::{photograph, spectrum_over, worse};
 use crate::figure::params::{Param, Params};
-use crate::figure::{Entry, Figure, Panel};
+use crate::figure::{Entry, Figure};
 use crate::grid::Grid;
 use crate::image::dft::forward;
 use crate::image::filter::{Filter, Shape};
@@ -39,7 +39,7 @@ const PASSES: Entry = Entry {
     ),
     params: &[
         Param::count("low", &LOW, 8, 2, 20),
-        Param::count("high", &HIGH, 24, 21, 56),
+        Param::count("high", &HIGH, 24, 21, 40),
         Param::choice("shape", &SHAPE, &["ideal", "gaussian", "butterworth"]),
     ],
     build: |params| passes(params),
@@ -50,6 +50,8 @@ const CAMERA: &[u8] = include_bytes!("../../../data/camera.png");
 const SIDE: usize = 128;
 /// The darkest tone of a spectrum, in decibels.
 const FLOOR: f64 = -80.0;
+/// How many bins to every side of zero are shown.
+const REACH: usize = 42;
 
 /// The photograph in linear light, made smaller with Lanczos' kernel, around the origin.
 fn photo() -> Result<Image> {
@@ -86,12 +88,8 @@ fn passes(params: &Params) -> Result<Figure> {
 
     // detail around zero, to the same scale in both pictures
     let spread = 0.25;
-    let below = |name, bins: &ImageBins, title: Text| -> Result<Panel> {
-        // decibels relative to the photograph's largest bin, not to each one's own
-        let peak = |bins: &ImageBins| bins.values().iter().map(|f| f.norm()).fold(0.0, f64::max);
-        let lost = 20.0 * (peak(bins) / peak(&whole)).log10();
-        spectrum(name, title, bins, FLOOR - lost, SIDE / 2 - 1)
-    };
+    let largest = whole.values().iter().map(|f| f.norm()).fold(0.0, f64::max);
+    let below = |name, bins: &ImageBins, title: Text| spectrum_over(name, title, bins, largest, FLOOR, REACH);
     let share = |i: usize| text!("{} % of the energy", "{} % энергии", percent[i]);
     let figure = Figure::new(4)
         .with(photograph("photo", text!("photograph", "фотография"), &photo, (0.0, 1.0)))

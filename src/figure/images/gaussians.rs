@@ -38,10 +38,10 @@ const ROUND: Entry = Entry {
     caption: &Text::fixed(
         "e^{−r²/a²} has the spectrum πa²·e^{−π²a²ρ²}, a Gaussian again: twice as wide in space, half as wide in frequency, \
          and four times as high. The spots are repeated with the period of the picture, as its transform takes them to be; \
-         cut off at the edge they would draw a cross.",
+         cut off at the edge they would draw a cross. Scales of spectra count periods across the picture.",
         "Спектр e^{−r²/a²} равен πa²·e^{−π²a²ρ²} — это снова гауссиан: вдвое шире в пространстве, вдвое уже по частоте и \
          вчетверо выше. Пятна повторены с периодом картинки, как их и понимает преобразование; обрезанные по краю, они \
-         оставили бы в спектре крест.",
+         оставили бы в спектре крест. По осям спектров — число периодов на картинку.",
     ),
     params: &[Param::real("a", &RADIUS, 16.0, 8.0, 20.0, "px")],
     build: |params| round(params.real("a")),
@@ -78,11 +78,10 @@ fn round(a: f64) -> Result<Figure> {
     for i in 0..2 {
         let (known, radius) = (spots[i].spectrum(), number(radii[i], 3));
         let curve = move |k: f64| known.density(k / SIDE as f64, 0.0).re / known.density(0.0, 0.0).re;
-        let below = if i == 0 { Text::EMPTY } else { text!("periods across", "периодов на ширину") };
         let row = Panel::new(
             names[i][2],
             text!("row v = 0", "строка v = 0"),
-            Scale::linear(below, -end, end),
+            Scale::linear(Text::EMPTY, -end, end),
             Scale::linear(Text::same("F(k)/F(0)"), 0.0, 1.12),
         )
         .with(Layer::curve("theory", Meaning::Theory, -end, end, 400, curve))
@@ -188,7 +187,11 @@ fn contour(name: &'static str, meaning: Meaning, panel: &Panel, level: f64) -> L
         Some(Mark::Raster { x, y, values, .. }) => isoline(values, *x, *y, level),
         _ => Vec::new(),
     };
-    Layer::line(name, meaning, segments.into_iter().flat_map(|[a, b]| [a, b, [f64::NAN, f64::NAN]])).thick()
+    // the line goes round the middle once: in the order of the angle it is one stroke
+    let mut points: Vec<[f64; 2]> = segments.into_iter().flatten().collect();
+    points.sort_by(|a, b| a[1].atan2(a[0]).total_cmp(&b[1].atan2(b[0])));
+    points.extend(points.first().copied());
+    Layer::line(name, meaning, points).thick()
 }
 
 /// The ellipse of a Gaussian of these widths, in bins, at so many decibels.

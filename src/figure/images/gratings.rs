@@ -39,9 +39,10 @@ const CONSTANT: Entry = Entry {
     caption: &Text::fixed(
         "A picture of 128 × 128 pixels, the middle of its spectrum with zero frequency in the centre, and the bins of the row \
          v = 0. A constant is a single bin. A sine is two, as far from zero as it has periods across the picture: 32 pixels \
-         per period are 4.",
+         per period are 4. The scales of spectra count periods across the picture.",
         "Картинка 128 × 128, середина её спектра с нулевой частотой в центре и отсчёты спектра в строке v = 0. Константа — \
-         один отсчёт. Синус — два, на расстоянии от нуля, равном числу периодов на картинке: период в 32 пиксела даёт 4.",
+         один отсчёт. Синус — два, на расстоянии от нуля, равном числу периодов на картинке: период в 32 пиксела даёт 4. \
+         По осям спектров — число периодов на картинку.",
     ),
     params: &[Param::count("k", &ACROSS, 4, 1, 15)],
     build: |params| constant_and_sine(params.count("k")),
@@ -65,7 +66,7 @@ fn argument(of: char, periods: usize) -> String {
 }
 
 /// The sizes of the bins in the row of zero vertical frequency, in units of N².
-fn row(name: &'static str, image: &Image, below: Text) -> Panel {
+fn row(name: &'static str, image: &Image) -> Panel {
     let bins = forward(image);
     let size = |k: i64| bins.bin(k, 0).norm() / bins.space().area();
     let reach = REACH as i64;
@@ -74,7 +75,7 @@ fn row(name: &'static str, image: &Image, below: Text) -> Panel {
     Panel::new(
         name,
         text!("row v = 0", "строка v = 0"),
-        Scale::linear(below, -end, end),
+        Scale::linear(Text::EMPTY, -end, end),
         Scale::linear(Text::same("|F|/N²"), 0.0, 0.62),
     )
     .with(Layer::stems("bins", Meaning::Signal, stems))
@@ -89,10 +90,10 @@ fn constant_and_sine(k: usize) -> Result<Figure> {
     Ok(Figure::new(3)
         .with(picture("constant", text!("constant ½", "константа ½"), &images[0], (0.0, 1.0)))
         .with(shown(&images[0], "constant-spectrum", text!("spectrum, dB", "спектр, дБ"))?)
-        .with(row("constant-row", &images[0], Text::EMPTY))
+        .with(row("constant-row", &images[0]))
         .with(picture("sine", text!("sin({argument})", "sin({argument})"), &images[1], (-1.0, 1.0)))
         .with(shown(&images[1], "sine-spectrum", text!("spectrum, dB", "спектр, дБ"))?)
-        .with(row("sine-row", &images[1], text!("periods across", "периодов на ширину")))
+        .with(row("sine-row", &images[1]))
         .claim(
             text!(
                 "the constant ½: one bin at zero, ½·N² = {half}, and nothing else",

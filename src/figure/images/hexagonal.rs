@@ -47,14 +47,14 @@ fn scaled(lattice: &Lattice, by: f64) -> Result<Lattice> {
 
 /// The upper and the lower half of the circle around a place.
 fn disc([u, v]: [f64; 2]) -> Vec<[f64; 3]> {
-    let at = |i: i32| f64::from(i) / 48.0;
+    let at = |i: i32| f64::from(i) / 24.0;
     let half = |t: f64| BAND * sin_pi(t);
-    let filled = (0..=48).map(|i| [u - BAND * cos_pi(at(i)), v - half(at(i)), v + half(at(i))]);
+    let filled = (0..=24).map(|i| [u - BAND * cos_pi(at(i)), v - half(at(i)), v + half(at(i))]);
     filled.chain([[f64::NAN; 3]]).collect()
 }
 
 fn circle([u, v]: [f64; 2]) -> Vec<[f64; 2]> {
-    let around = (0..=96).map(|i| 2.0 * f64::from(i) / 96.0);
+    let around = (0..=48).map(|i| 2.0 * f64::from(i) / 48.0);
     around.map(|t| [u + BAND * cos_pi(t), v + BAND * sin_pi(t)]).chain([[f64::NAN; 2]]).collect()
 }
 
@@ -76,7 +76,7 @@ fn hexagonal(step: f64) -> Result<Figure> {
     for ((lattice, [space, copies]), called) in lattices.iter().zip(names).zip(&called) {
         let density = number(lattice.density(), 3);
         let (en, ru) = (called.get(Lang::En), called.get(Lang::Ru));
-        let title = text!("{en}: {density} samples per unit²", "{ru}: {density} отсчёта на единицу²");
+        let title = text!("{en}: {density} per unit²", "{ru}: {density} на ед.²");
         let points: Vec<[f64; 2]> = lattice.points(reach)?.into_iter().filter(|p| shown(p, -0.1)).collect();
         above.push(panel(space, title, Text::same("x")).with(Layer::dots("samples", Meaning::Samples, points)));
 

@@ -5,14 +5,13 @@ use crate::error::Result;
 use crate::field::added::Added;
 use crate::field::moved::Moved;
 use crate::field::spot::GaussianSpot;
-use crate::field::{Field, FourierField};
+use crate::field::{Field, FourierField, from_fn};
 use crate::figure::common::PIECES;
-use crate::figure::images::view::{extent, picture};
+use crate::figure::images::view::picture;
 use crate::figure::params::Param;
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use crate::grid::Grid;
 use crate::image::Image;
-use crate::image::dft::forward;
 use crate::image::projection::line_integral;
 use crate::laws::plane::projection_slice;
 use crate::laws::poisson::sum_rounding;
@@ -45,8 +44,10 @@ const SLICE: Entry = Entry {
     build: |params| slice(params.real("angle")),
 };
 
-/// Pixels along a side, a quarter of a unit each: ±16, outside which the spots are below 10⁻¹³.
+/// Places of the projection, a quarter of a unit apart: ±16, outside which the spots are below 10⁻⁸.
 const SIDE: usize = 128;
+/// Pixels along a side of the picture: ±10.
+const PICTURE: usize = 80;
 const STEP: f64 = 0.25;
 /// The highest frequency shown.
 const SHOWN: f64 = 0.6;
@@ -65,8 +66,7 @@ fn slice(angle: f64) -> Result<Figure> {
     let spectrum = field.spectrum();
     let (sin, cos) = angle.to_radians().sin_cos();
     let degrees = number(angle, 3);
-    let grid = Grid::centered(STEP, SIDE, SIDE)?;
-    let image = Image::of(&field, grid);
+    let image = Image::of(&field, Grid::centered(STEP, PICTURE, PICTURE)?);
 
     let axis = Axis::centered(STEP, SIDE)?;
     let lines: Vec<_> = axis.iter().map(|s| line_integral(&field, angle.to_radians(), s, 16.0, 1.0)).collect();
@@ -78,14 +78,9 @@ fn slice(angle: f64) -> Result<Figure> {
     let end = 9.5;
     let place = |s: f64, t: f64| [s * cos - t * sin, s * sin + t * cos];
     let along = [-6.0, -3.0, 0.0, 3.0, 6.0].into_iter().flat_map(|s| [place(s, -end), place(s, end), [f64::NAN; 2]]);
-    let zoom = |mut panel: Panel, to: f64| {
-        (panel.x.range, panel.y.range) = ((-to, to), (-to, to));
-        panel
-    };
     let space = picture("picture", text!("the picture", "картинка"), &image, (0.0, 1.1))
         .with(Layer::line("lines", Meaning::Series(3), along).thin())
         .with(Layer::pointers("axis", Meaning::Reconstructed, [[place(-end, 0.0), place(end, 0.0)]]).thick());
-    let space = zoom(space, 10.0);
     let top = 1.12 * projection.values().iter().copied().fold(0.0, f64::max);
     let summed = Panel::new(
         "projection",
@@ -95,14 +90,22 @@ fn slice(angle: f64) -> Result<Figure> {
     )
     .with(Layer::line("projection", Meaning::Reconstructed, projection.points()).thick());
 
-    let plane = forward(&image);
     let peak = spectrum.density(0.0, 0.0).norm();
-    let (left, right) = extent(plane.grid().x());
-    let sizes = plane.values().mapv(|f| f.norm() / peak);
-    let scale = || Scale::linear(Text::EMPTY, left, right);
+    let view = Image::of(
+        &from_fn(|u, v| spectrum.density(u, v).norm() / peak),
+        Grid::cells(-SHOWN..SHOWN, 90, -SHOWN..SHOWN, 90)?,
+    );
+    let scale = || Scale::linear(Text::EMPTY, -SHOWN, SHOWN);
     let frequency = Panel::new("spectrum", text!("its spectrum |F|", "её спектр |F|"), scale(), scale())
         .square()
-        .with(Layer::raster("spectrum", (left, right), (left, right), sizes, (0.0, 1.0), Tones::Data))
+        .with(Layer::raster(
+            "spectrum",
+            (-SHOWN, SHOWN),
+            (-SHOWN, SHOWN),
+            view.pixels().clone(),
+            (0.0, 1.0),
+            Tones::Data,
+        ))
         .with(
             Layer::pointers(
                 "axis",
@@ -111,7 +114,6 @@ fn slice(angle: f64) -> Result<Figure> {
             )
             .thick(),
         );
-    let frequency = zoom(frequency, SHOWN);
     let of_line = bins.axis().iter().zip(bins.values()).filter(|(nu, _)| nu.abs() <= SHOWN);
     let cut = |nu: f64| spectrum.density(nu * cos, nu * sin);
     let same = Panel::new(

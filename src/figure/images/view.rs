@@ -42,12 +42,28 @@ fn around_zero(values: &Array2<f64>, reach: usize) -> Array2<f64> {
     Array2::from_shape_fn((2 * reach + 1, 2 * reach + 1), |(l, k)| values[[top + l, left + k]])
 }
 
-/// The middle of a spectrum, `reach` bins from zero to every side, as decibels from `floor` to 0; the scales count bins:
-/// periods across the picture.
+/// The middle of a spectrum, `reach` bins from zero to every side, as decibels from `floor` to 0, which is its largest bin;
+/// the scales count bins: periods across the picture.
 pub(super) fn spectrum(name: &'static str, title: Text, bins: &ImageBins, floor: f64, reach: usize) -> Result<Panel> {
+    let largest = bins.values().iter().map(|f| f.norm()).fold(0.0, f64::max);
+    spectrum_over(name, title, bins, largest, floor, reach)
+}
+
+/// The same with 0 dB where a bin is as large as `whole`: for several spectra on one scale.
+pub(super) fn spectrum_over(
+    name: &'static str,
+    title: Text,
+    bins: &ImageBins,
+    whole: f64,
+    floor: f64,
+    reach: usize,
+) -> Result<Panel> {
     let end = reach as f64 + 0.5;
     let scale = || Scale::linear(Text::EMPTY, -end, end);
-    let shown = around_zero(bins.log_magnitude(floor)?.pixels(), reach);
+    // relative to its own largest bin the floor is that much nearer
+    let largest = bins.values().iter().map(|f| f.norm()).fold(0.0, f64::max);
+    let own = floor - 20.0 * (largest / whole).log10();
+    let shown = around_zero(bins.log_magnitude(own)?.pixels(), reach) * (own / floor);
     Ok(Panel::new(name, title, scale(), scale()).square().with(Layer::raster(
         "spectrum",
         (-end, end),

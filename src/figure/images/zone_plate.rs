@@ -171,7 +171,7 @@ fn plate(radius: f64) -> Result<Figure> {
         Scale::linear(text!("periods per sample", "периодов на отсчёт"), 0.0, shown),
         Scale::linear(Text::EMPTY, -0.3, 1.1),
     )
-    .legend(Legend::Above)
+    .legend(Legend::UpperRight)
     .span(2)
     .with(Layer::spans("postaliasing", Meaning::Leaked, [[0.5, shown]]).label(text!("postaliasing", "посталиасинг")));
     for (i, back) in (0u8..).zip(&backs) {
