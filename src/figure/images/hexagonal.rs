@@ -87,7 +87,7 @@ fn hexagonal(step: f64) -> Result<Figure> {
         let covered = std::f64::consts::PI * BAND * BAND * lattice.density().recip();
         let filled = number(100.0 * covered, 3);
         below.push(
-            panel(copies, text!("copies fill {filled} %", "копии занимают {filled} %"), Text::same("u"))
+            panel(copies, text!("copies: {filled} % of the plane", "копии: {filled} % плоскости"), Text::same("u"))
                 .with(Layer::between("copies", Meaning::Replica, discs(&others)))
                 .with(Layer::line("edges", Meaning::Replica, others.iter().flat_map(|&p| circle(p))))
                 .with(Layer::between("own", Meaning::Signal, discs(&own)))

@@ -46,8 +46,8 @@ const SLICE: Entry = Entry {
 
 /// Places of the projection, a quarter of a unit apart: ±16, outside which the spots are below 10⁻⁸.
 const SIDE: usize = 128;
-/// Pixels along a side of the picture: ±10.
-const PICTURE: usize = 80;
+/// Pixels along a side of the picture: ±11.25.
+const PICTURE: usize = 90;
 const STEP: f64 = 0.25;
 /// The highest frequency shown.
 const SHOWN: f64 = 0.6;

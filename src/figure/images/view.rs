@@ -63,7 +63,9 @@ pub(super) fn spectrum_over(
     // relative to its own largest bin the floor is that much nearer
     let largest = bins.values().iter().map(|f| f.norm()).fold(0.0, f64::max);
     let own = floor - 20.0 * (largest / whole).log10();
-    let shown = around_zero(bins.log_magnitude(own)?.pixels(), reach) * (own / floor);
+    // to whole decibels, which is as much as colours tell apart
+    let decibels = around_zero(bins.log_magnitude(own)?.pixels(), reach) * own;
+    let shown = decibels.mapv(|db| db.round() / floor);
     Ok(Panel::new(name, title, scale(), scale()).square().with(Layer::raster(
         "spectrum",
         (-end, end),

@@ -160,7 +160,7 @@ fn plate(radius: f64) -> Result<Figure> {
         .with(Layer::line("crop", Meaning::Leaked, frame).thick());
     let fine = Axis::new(-0.375, 0.25, FINER * SIDE)?;
     let truth = crop(&Image::of(&field, Grid::new(fine, fine)?))?;
-    let original = picture("original", text!("the crop as it should be", "каким быть фрагменту"), &truth, (0.0, 1.0));
+    let original = picture("original", text!("crop: the true rings", "фрагмент: верные кольца"), &truth, (0.0, 1.0));
 
     // where the wide kernel has let everything go: Nyquist and half its transition
     let guard = 0.5 + (BETA * BETA + PI * PI).sqrt() / (2.0 * PI * radius);
