@@ -110,7 +110,7 @@ fn references(params: &Params) -> Result<Figure> {
     )
     .legend(Legend::LowerRight)
     .with(
-        Layer::curve("theory", Meaning::Theory, 0.0, 2.05, 300, |nu| comb.noise(nu))
+        Layer::curve("theory", Meaning::Theory, 0.0, 2.05, 205, |nu| comb.noise(nu))
             .thick()
             .label(Text::same("1 − sinc²")),
     )
