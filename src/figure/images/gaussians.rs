@@ -103,10 +103,11 @@ fn round(a: f64) -> Result<Figure> {
     let middle = SIDE / 2;
     let fallen = (images[0].at(middle, middle) / images[0].at(middle + at as usize, middle)).ln();
     let [sigma_x, sigma_u] = [at / (2.0 * fallen).sqrt(), 1.0 / side / (-2.0 * ratio.ln()).sqrt()];
-    // the four nearest copies and all beyond add less than `8e^{−((N − x)/a)²}` to either value, `σ_x` is off by half of
-    // that over ln(f₀/f); the ratio of bins by 2ε, over its logarithm
+    // all copies together add less than `8e^{−((N − x)/a)²}` to both values; σ_x is off by half of that over the lower value
+    // and ln(f₀/f), σ_u by half of what the ratio is off, 2ε, over the ratio and its logarithm
     let copies = 8.0 * (-((side - at) / a).powi(2)).exp();
-    let slack = (0.5 * (copies + rounding) * (at / a).powi(2).exp() / fallen - rounding / ratio.ln()) / (2.0 * PI);
+    let slack =
+        (0.5 * (copies + rounding) * (at / a).powi(2).exp() / fallen - rounding / (ratio * ratio.ln())) / (2.0 * PI);
     Ok(figure
         .claim(
             text!(
@@ -274,7 +275,9 @@ fn turned(angle: f64) -> Result<Figure> {
         copies.map(bend).sum::<f64>() / (4.0 * PI * PI)
     };
     let known = radii.map(|r| 0.5 / (PI * r).powi(2)); // σ² of the spectrum, along and across
-    let rounding = transform_rounding(SIDE * SIDE) * SIDE as f64 * SIDE as f64 * 0.25 / (PI * radii[0] * radii[1]);
+    // every bin is off by the rounding of the transform times Σ|f| = πab, at most at a quarter of a cycle squared, and the
+    // bins add up to N²·f(0)
+    let rounding = 0.25 * transform_rounding(SIDE * SIDE) * PI * radii[0] * radii[1];
     let off = (tail(&spots[0]) + tail(&spots[1]) + 2.0 * rounding) / (known[1] - known[0]);
     let turn = (second - first).to_degrees().rem_euclid(180.0);
     let missed = (turn - angle).abs();

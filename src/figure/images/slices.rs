@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::field::added::Added;
 use crate::field::moved::Moved;
 use crate::field::spot::GaussianSpot;
-use crate::field::{Field, FourierField, from_fn};
+use crate::field::{FourierField, from_fn};
 use crate::figure::common::PIECES;
 use crate::figure::images::view::picture;
 use crate::figure::params::Param;
@@ -20,6 +20,7 @@ use crate::sampled::dft;
 use crate::sampled::{Bins, Samples};
 use crate::text;
 use crate::text::{Text, number};
+use std::f64::consts::PI;
 
 /// The figures of this family.
 pub static ENTRIES: &[Entry] = &[SLICE];
@@ -44,7 +45,7 @@ const SLICE: Entry = Entry {
     build: |params| slice(params.real("angle")),
 };
 
-/// Places of the projection, a quarter of a unit apart: ±16, outside which the spots are below 10⁻⁸.
+/// Places of the projection, a quarter of a unit apart: ±16, outside which the spots are below 10⁻¹⁰.
 const SIDE: usize = 128;
 /// Pixels along a side of the picture: ±11.25.
 const PICTURE: usize = 90;
@@ -134,8 +135,9 @@ fn slice(angle: f64) -> Result<Figure> {
 
     let worst = bins.axis().iter().zip(bins.values()).map(|(nu, f)| (f - cut(nu)).norm()).fold(0.0, f64::max);
     let size = axis.step() * projection.values().iter().map(|v| v.abs()).sum::<f64>();
-    // beyond ±16 stand e^{−((16 − 5)/2.4)²} = 10^{−9.1} of the widest spot, its length times its width
-    let tail = 2.4 * 2.4 * std::f64::consts::PI * field.at(16.0, -3.5).max((-(10.9f64 / 2.4).powi(2)).exp());
+    // every spot is at least 11.7 from the ends and at most 2.4 wide; beyond the ends, and beyond the Nyquist frequency 2,
+    // there is less than this of its volume
+    let tail = 3.0 * PI * 2.4 * 2.4 * ((-(11.7f64 / 2.4).powi(2)).exp() + (-4.0 * PI * PI).exp());
     Ok(Figure::new(2)
         .with(space)
         .with(summed)

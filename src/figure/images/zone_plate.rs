@@ -228,8 +228,8 @@ fn plate(radius: f64) -> Result<Figure> {
                 "посталиасинг, {ru}: менее 0.01 % энергии отсчётов — выше частоты {at}"
             ),
         };
-        // the transform's rounding, relative to the root of the whole energy, twice in a square
-        let rounding = 4.0 * transform_rounding(SIDE * SIDE * FINER * FINER);
+        // the transform's rounding, relative to the root of the whole energy: twice in a square, three times with the mean
+        let rounding = 6.0 * transform_rounding(SIDE * SIDE * FINER * FINER);
         figure = figure.claim(says, Residual::near("energy above the guard = Σ|F|²·K²", found, known, rounding));
     }
     Ok(figure)
