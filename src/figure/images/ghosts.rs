@@ -75,18 +75,48 @@ fn in_block(first: f64, [x, y]: [f64; 2]) -> bool {
     (first..first + BLOCK.1 as f64).contains(&x) && y.abs() <= BLOCK.0 as f64
 }
 
-/// The contrast of the rings in a block: how much of `½cos` the pixels hold, by least squares. With it what a gain `K` at
-/// the local frequency makes of it, and by how much it may err where every pixel errs by one.
-fn contrast(image: &Image, period: f64, gain: &dyn Fn(f64) -> f64, first: f64) -> [f64; 3] {
-    let (mut held, mut known, mut norm, mut size) = (0.0, 0.0, 0.0, 0.0);
-    for (place, v) in within(image, |p| in_block(first, p)) {
-        let half = 0.5 * wave(period, place);
-        held += v * half;
-        known += gain(place[0] / period) * gain(place[1] / period) * half * half;
-        norm += half * half;
-        size += half.abs();
+/// One way to a picture of the zone plate, and its gain for a wave.
+struct Way<'a> {
+    name: &'static str,
+    title: Text,
+    label: Text,
+    image: &'a Image,
+    gain: &'a dyn Fn(f64) -> f64,
+}
+
+impl Way<'_> {
+    /// The contrast of the rings in a block: how much of `½cos` the pixels hold, by least squares. With it what the gain at
+    /// the local frequency makes of it, and by how much it may err where every pixel errs by one.
+    fn contrast(&self, period: f64, first: f64) -> [f64; 3] {
+        let (mut held, mut known, mut norm, mut size) = (0.0, 0.0, 0.0, 0.0);
+        for (place, v) in within(self.image, |p| in_block(first, p)) {
+            let half = 0.5 * wave(period, place);
+            held += v * half;
+            known += (self.gain)(place[0] / period) * (self.gain)(place[1] / period) * half * half;
+            norm += half * half;
+            size += half.abs();
+        }
+        [held, known, size].map(|sum| sum / norm)
     }
-    [held, known, size].map(|sum| sum / norm)
+
+    /// The largest difference of the contrast to the gain, in units of what pixels that err by `each` allow.
+    fn worst(&self, period: f64, each: f64) -> f64 {
+        let off = blocks().map(|first| {
+            let [held, known, size] = self.contrast(period, first);
+            (held - known).abs() / (size * (each + 16.0 * f64::EPSILON * period))
+        });
+        off.fold(0.0, f64::max)
+    }
+
+    /// What [`ghost`] finds if every pixel has the gain at its local frequency.
+    fn ghost_expected(&self, period: f64) -> Result<f64> {
+        let grid = self.image.grid();
+        let gains = |axis: Axis| axis.iter().map(|x| (self.gain)(x / period)).collect::<Vec<_>>();
+        let (across, up) = (gains(grid.x()), gains(grid.y()));
+        let products = up.iter().flat_map(|v| across.iter().map(move |u| u * v));
+        let modelled = grid.iter().zip(products).map(|(place, gain)| 0.5 + 0.5 * gain * wave(period, place));
+        Ok(ghost(&Image::new(grid, modelled.collect())?, period))
+    }
 }
 
 /// The root mean square contrast around the ghost, where the local frequency is between 0.75 and 1.25.
@@ -98,13 +128,6 @@ fn ghost(image: &Image, period: f64) -> f64 {
         norm += (0.5 * wave(period, place)).powi(2);
     }
     (sum / norm).sqrt()
-}
-
-/// The same for gains at the local frequency.
-fn ghost_behind(gain: &dyn Fn(f64) -> f64, image: &Image, period: f64) -> Result<f64> {
-    let modelled =
-        image.grid().iter().map(|[x, y]| 0.5 + 0.5 * wave(period, [x, y]) * gain(x / period) * gain(y / period));
-    Ok(ghost(&Image::new(image.grid(), modelled.collect())?, period))
 }
 
 fn area(period: usize) -> Result<Figure> {
@@ -123,10 +146,17 @@ fn area(period: usize) -> Result<Figure> {
     let filtered = resample(&Image::of(&plate, Grid::new(fine(left)?, fine(low)?)?), grid, &kernel, Edge::Clamp)?;
 
     let lanczos = |nu: f64| kernel.response(nu);
-    let ways: [(&str, Text, &Image, &dyn Fn(f64) -> f64); 3] = [
-        ("point", text!("one point", "одна точка"), &point, &|_| 1.0),
-        ("area", text!("exact area", "точная площадь"), &exact, &sinc),
-        ("lanczos", text!("Lanczos prefilter", "предфильтр Ланцоша"), &filtered, &lanczos),
+    let way = |name, title, label, image, gain| Way { name, title, label, image, gain };
+    let ways = [
+        way("point", text!("one point", "одна точка"), Text::same("1"), &point, &|_| 1.0),
+        way("area", text!("exact area", "точная площадь"), Text::same("sinc ν"), &exact, &sinc),
+        way(
+            "lanczos",
+            text!("Lanczos prefilter", "предфильтр Ланцоша"),
+            text!("Lanczos-3", "Ланцош-3"),
+            &filtered,
+            &lanczos,
+        ),
     ];
     let end = (SIDE - LEFT) as f64 / period;
     let mut plot = Panel::new(
@@ -141,17 +171,16 @@ fn area(period: usize) -> Result<Figure> {
         Layer::spans("false", Meaning::Leaked, [[0.5, end]])
             .label(text!("above ½: all that is left is false", "выше ½: всё, что осталось, ложно")),
     );
-    let names = [Text::same("1"), Text::same("sinc ν"), text!("Lanczos-3", "Ланцош-3")];
     let mut figure = Figure::new(3).heights([1.25, 1.0]);
-    for (i, ((name, title, image, gain), label)) in (0u8..).zip(ways.iter().zip(names)) {
-        figure = figure.with(picture(name, title.clone(), image, (0.0, 1.0)));
+    for (i, way) in (0u8..).zip(&ways) {
+        figure = figure.with(picture(way.name, way.title.clone(), way.image, (0.0, 1.0)));
         let dots = blocks().map(|first| {
             let middle = first + 0.5 * (BLOCK.1 as f64 - 1.0);
-            [middle / period, contrast(image, period, gain, first)[0]]
+            [middle / period, way.contrast(period, first)[0]]
         });
         plot = plot
-            .with(Layer::curve("theory", Meaning::Series(i), 0.0, end, 240, gain).label(label))
-            .with(Layer::dots(name, Meaning::Series(i), dots.collect::<Vec<_>>()));
+            .with(Layer::curve("theory", Meaning::Series(i), 0.0, end, 240, way.gain).label(way.label.clone()))
+            .with(Layer::dots(way.name, Meaning::Series(i), dots.collect::<Vec<_>>()));
     }
 
     // within its reach the phase of a chirp departs from a plane wave by πt²/M: a prefilter errs by no more than that times
@@ -160,16 +189,9 @@ fn area(period: usize) -> Result<Figure> {
     let steps = even_breaks(0.0, 3.0, 0.25);
     let part = |f: &dyn Fn(f64) -> f64| 2.0 * integrate_pieces(f, &steps, 1e-12).value;
     let (size, moment) = (part(&|t| kernel.at(t).abs()), part(&|t| kernel.at(t).abs() * t * t));
-    let within_blocks = |(_, _, image, gain): &(&str, Text, &Image, &dyn Fn(f64) -> f64), each: f64| {
-        let worst = blocks().map(|first| {
-            let [held, known, size] = contrast(image, period, gain, first);
-            (held - known).abs() / (size * (each + 16.0 * f64::EPSILON * period))
-        });
-        worst.fold(0.0, f64::max)
-    };
     let [shown, dimmed, gone] = [ghost(&point, period), ghost(&exact, period), ghost(&filtered, period)];
-    let known = ghost_behind(&sinc, &point, period)?;
-    let behind = ghost_behind(&lanczos, &point, period)?;
+    let known = ways[1].ghost_expected(period)?;
+    let behind = ways[2].ghost_expected(period)?;
     Ok(figure
         .with(plot)
         .claim(
@@ -194,7 +216,7 @@ fn area(period: usize) -> Result<Figure> {
             ),
             Residual::at_most(
                 "contrast in every block = sinc·sinc, in units of what is allowed",
-                within_blocks(&ways[1], bend(1.0, 1.0 / 12.0)),
+                ways[1].worst(period, bend(1.0, 1.0 / 12.0)),
                 1.0,
             ),
         )

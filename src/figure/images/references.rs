@@ -127,7 +127,7 @@ fn references(params: &Params) -> Result<Figure> {
         .claim(
             text!(
                 "a sine of {period} pixels is the bins ±{k} of {SIDE}, of the size N²/2 = {expected}",
-                "синус с периодом {period} пикселов — отсчёты ±{k} из {SIDE} величины N²/2 = {expected}"
+                "синус с периодом {period} px — отсчёты ±{k} из {SIDE} величины N²/2 = {expected}"
             ),
             spectrum_by_transform(&image, &wave.spectrum(), 0.0),
         )
