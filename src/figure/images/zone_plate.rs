@@ -61,29 +61,29 @@ const BETA: f64 = 8.0;
 struct Back {
     name: &'static str,
     title: Text,
-    kernel: Box<dyn Kernel>,
+    /// The kernel at the places of the reconstruction on one side of a sample: `[t, weight]`.
+    taps: Vec<[f64; 2]>,
     image: Image,
     bins: ImageBins,
 }
 
 impl Back {
-    fn of(samples: &Image, name: &'static str, title: Text, kernel: Box<dyn Kernel>) -> Result<Self> {
+    fn of(samples: &Image, name: &'static str, title: Text, kernel: &dyn Kernel) -> Result<Self> {
         // four places around every sample, none at the edge of its box
         let part = 1.0 / FINER as f64;
         let axis = Axis::new(0.5 * part - 0.5, part, FINER * SIDE)?;
-        let image = resample(samples, Grid::new(axis, axis)?, &kernel, Edge::Wrap)?;
+        let image = resample(samples, Grid::new(axis, axis)?, kernel, Edge::Wrap)?;
         let bins = forward(&image);
-        Ok(Self { name, title, kernel, image, bins })
+        // the weights at each place are divided by their sum over the samples
+        let weight = |t: f64| part * kernel.at(t) / kernel.periodic(t, 1);
+        let count = (kernel.radius() / part).ceil() as usize;
+        let taps = (0..count).map(|j| (j as f64 + 0.5) * part).map(|t| [t, weight(t)]).collect();
+        Ok(Self { name, title, taps, image, bins })
     }
 
-    /// What the kernel, sampled as finely as the reconstruction, does to the frequency `nu`; its weights at each place are
-    /// divided by their sum.
+    /// What the kernel, sampled as finely as the reconstruction, does to the frequency `nu`.
     fn gain(&self, nu: f64) -> f64 {
-        let part = 1.0 / FINER as f64;
-        let count = (self.kernel.radius() / part).ceil() as i64;
-        let weight = |t: f64| self.kernel.at(t) / self.kernel.periodic(t, 1);
-        let places = (0..count).map(|j| (j as f64 + 0.5) * part);
-        places.map(|t| 2.0 * part * weight(t) * cos_pi(2.0 * nu * t)).sum()
+        self.taps.iter().map(|[t, weight]| 2.0 * weight * cos_pi(2.0 * nu * t)).sum()
     }
 
     /// The gains at all bins of the reconstruction, from zero to half of them.
@@ -138,15 +138,10 @@ fn plate(radius: f64) -> Result<Figure> {
     let samples = Image::of(&field, Grid::new(axis, axis)?);
     let bins = forward(&samples);
     let backs = [
-        Back::of(&samples, "box", text!("box", "box-ядро"), Box::new(BoxKernel))?,
-        Back::of(&samples, "tent", text!("tent", "треугольник"), Box::new(TentKernel))?,
-        Back::of(&samples, "mitchell", text!("Mitchell", "Митчелл"), Box::new(Cubic::mitchell()))?,
-        Back::of(
-            &samples,
-            "kaiser",
-            text!("wide Kaiser sinc", "широкий sinc Кайзера"),
-            Box::new(Kaiser::new(radius, BETA)?),
-        )?,
+        Back::of(&samples, "box", text!("box", "box-ядро"), &BoxKernel)?,
+        Back::of(&samples, "tent", text!("tent", "треугольник"), &TentKernel)?,
+        Back::of(&samples, "mitchell", text!("Mitchell", "Митчелл"), &Cubic::mitchell())?,
+        Back::of(&samples, "kaiser", text!("wide Kaiser sinc", "широкий sinc Кайзера"), &Kaiser::new(radius, BETA)?)?,
     ];
 
     let ([left, low], side) = CROP;
