@@ -29,6 +29,7 @@ pub(super) fn picture(name: &'static str, title: Text, image: &Image, tones: (f6
 }
 
 /// The same turned upside down, for photographs, whose rows run downward.
+#[cfg(feature = "files")]
 pub(super) fn photograph(name: &'static str, title: Text, image: &Image, tones: (f64, f64)) -> Panel {
     let mut panel = picture(name, title, image, tones);
     panel.y.range = (panel.y.range.1, panel.y.range.0);
