@@ -17,6 +17,7 @@ pub mod alias;
 pub mod film;
 pub mod formal;
 pub mod further;
+pub mod images;
 pub mod patterns;
 pub mod problem;
 pub mod reconstruction;

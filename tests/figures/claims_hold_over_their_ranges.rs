@@ -106,3 +106,8 @@ fn of_aliasing_and_its_remedies() {
 fn of_lens_and_shutter() {
     tried(&["f47", "f53"]);
 }
+
+#[test]
+fn of_pictures_and_their_spectra() {
+    tried(&["f43", "f44", "f45", "f46", "f59"]);
+}

@@ -8,6 +8,7 @@ mod numbers_checkerboard;
 mod numbers_edges_and_filters;
 mod numbers_formal;
 mod numbers_further;
+mod numbers_images;
 mod numbers_patterns;
 mod numbers_scene;
 mod numbers_stochastic;
