@@ -7,4 +7,5 @@ mod numbers_aliasing;
 mod numbers_edges_and_filters;
 mod numbers_formal;
 mod numbers_further;
+mod numbers_problem;
 mod numbers_stochastic;

@@ -4,7 +4,7 @@ use crate::error::Result;
 use crate::field::Field;
 use crate::field::disc::Disc;
 use crate::field::flat::Flat;
-use crate::figure::common::{unmarked, values};
+use crate::figure::common::unmarked;
 use crate::figure::params::{Param, Params};
 use crate::figure::problem::picture::{circles, picture};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
@@ -39,15 +39,18 @@ const SMALL_OBJECTS: Entry = Entry {
     build: |params: &Params| small_objects(params.real("r")),
 };
 
-/// Frames of the strip, and the pixels along the side of one.
+/// Frames of the strip, and the pixels of one, across and down.
 const FRAMES: usize = 12;
-const SIDE: usize = 4;
+const SIZE: [usize; 2] = [5, 4];
+/// How many frames stand in a row of the strip.
+const ROW: usize = 4;
 /// How far the disc moves in a frame.
-const STEP: [f64; 2] = [0.13, 0.09];
+const STEP: [f64; 2] = [0.26, 0.06];
+const START: [f64; 2] = [0.95, 1.25];
 
 /// The disc in the frame of that number.
 fn place(frame: usize) -> [f64; 2] {
-    [0, 1].map(|axis| 1.23 + STEP[axis] * frame as f64)
+    [0, 1].map(|axis| START[axis] + STEP[axis] * frame as f64)
 }
 
 fn total(image: &Image) -> f64 {
@@ -55,7 +58,7 @@ fn total(image: &Image) -> f64 {
 }
 
 fn small_objects(radius: f64) -> Result<Figure> {
-    let grid = Grid::pixels(SIDE, SIDE)?;
+    let grid = Grid::pixels(SIZE[0], SIZE[1])?;
     let mut frames = Vec::with_capacity(FRAMES);
     for frame in 0..FRAMES {
         let disc = Disc::new(place(frame), radius)?;
@@ -63,25 +66,28 @@ fn small_objects(radius: f64) -> Result<Figure> {
     }
     let totals = |way: usize| frames.iter().enumerate().map(move |(k, f)| [k as f64 + 1.0, total(&f[way])]);
     let along = Scale::linear(text!("frame", "кадр"), 0.5, FRAMES as f64 + 0.5);
-    let light = Panel::new("light", text!("light of the frame", "свет кадра"), along, values("", 0.0, 1.3))
+    let area = PI * radius * radius;
+    let level = text!("πr² = {}", "πr² = {}", number(area, 3));
+    let light = Panel::new("light", text!("light of the frame", "свет кадра"), along, unmarked(0.0, 1.3))
+        .span(2)
         .legend(Legend::Above)
         .with(Layer::stems("point", Meaning::Leaked, totals(0)).label(text!("1 sample a pixel", "1 отсчёт на пиксел")))
         .with(
             Layer::line("area", Meaning::Reconstructed, totals(1))
                 .thick()
                 .label(text!("mean over the area", "среднее по площади")),
-        );
+        )
+        .with(Layer::notes("level", Meaning::Reconstructed, [([FRAMES as f64 - 0.5, area + 0.25], level)]));
 
     // every place of the disc in its pixel, on a fine grid
     const PLACES: usize = 1000;
     let places = Grid::cells(-0.5..0.5, PLACES, -0.5..0.5, PLACES)?;
     let disc = Disc::new([0.0, 0.0], radius)?;
     let hits = places.iter().filter(|[x, y]| disc.at(*x, *y) > 0.5).count() as f64 / places.len() as f64;
-    let area = PI * radius * radius;
     let blinks = totals(0).filter(|t| t[1] > 0.5).count();
     let apart = totals(1).map(|t| (t[1] - area).abs()).fold(0.0, f64::max);
-    Ok(Figure::new(1)
-        .heights([1.0, 1.0, 1.15])
+    Ok(Figure::new(2)
+        .heights([2.2, 1.0])
         .with(strip("point-frames", text!("1 sample a pixel", "1 отсчёт на пиксел"), &frames, 0, radius))
         .with(strip(
             "area-frames",
@@ -119,17 +125,19 @@ fn small_objects(radius: f64) -> Result<Figure> {
         .moving(motion(radius)?, 10))
 }
 
-/// The frames one beside the other, the disc's true place drawn over each.
+/// The frames, row by row, the disc's true place drawn over each.
 fn strip(name: &'static str, title: Text, frames: &[[Image; 2]], way: usize, radius: f64) -> Panel {
     // a pixel of paper between two frames
-    let pitch = SIDE + 1;
-    let width = FRAMES * pitch - 1;
-    let cells = Array2::from_shape_fn((SIDE, width), |(j, column)| {
-        let (k, i) = (column / pitch, column % pitch);
-        if i < SIDE { frames[k][way].at(i, j) } else { 1.0 }
+    let pitch = SIZE.map(|side| side + 1);
+    let (width, height) = (ROW * pitch[0] - 1, FRAMES.div_ceil(ROW) * pitch[1] - 1);
+    let cells = Array2::from_shape_fn((height, width), |(row, column)| {
+        let frame = row / pitch[1] * ROW + column / pitch[0];
+        let (i, j) = (column % pitch[0], row % pitch[1]);
+        if i < SIZE[0] && j < SIZE[1] { frames[frame][way].at(i, j) } else { 1.0 }
     });
-    let (x, y) = ((0.0, width as f64), (0.0, SIDE as f64));
-    let places: Vec<[f64; 2]> = (0..FRAMES).map(|k| [place(k)[0] + (k * pitch) as f64, place(k)[1]]).collect();
+    let (x, y) = ((0.0, width as f64), (0.0, height as f64));
+    let corner = |k: usize| [(k % ROW * pitch[0]) as f64, (k / ROW * pitch[1]) as f64];
+    let places: Vec<[f64; 2]> = (0..FRAMES).map(|k| [0, 1].map(|axis| place(k)[axis] + corner(k)[axis])).collect();
     Panel::new(name, title, unmarked(x.0, x.1), unmarked(y.1, y.0))
         .square()
         .with(Layer::raster("pixels", x, y, cells, (0.0, 1.0), Tones::Grey))

@@ -33,7 +33,7 @@ const HIGHLIGHTS: Entry = Entry {
          каждом кадре находятся другие блики, и мерцает даже сумма. При усреднении по пикселам блики остаются на местах, \
          слабее и спокойно, а сумма постоянна.",
     ),
-    params: &[Param::count("p", &POWER, 600, 200, 1500), Param::count("seed", &SEED, 1, 1, 20)],
+    params: &[Param::count("p", &POWER, 1500, 300, 3000), Param::count("seed", &SEED, 1, 1, 20)],
     build: highlights,
 };
 

@@ -63,27 +63,21 @@ fn moire(params: &Params) -> Result<Figure> {
             .with(circles("ghosts", Meaning::Leaked, 0.2 * m, &ghosts).thick())
             .with(circles("center", Meaning::Signal, 0.2 * m, &[[0.0, 0.0]]).thick())
     };
-    let along = Scale::linear(text!("distance r from the centre", "расстояние r от центра"), 0.0, 1.6 * m).ticks([
-        (0.0, Text::same("0")),
-        (0.5 * m, Text::same("M/2")),
-        (m, Text::same("M")),
-        (1.5 * m, Text::same("3M/2")),
-    ]);
+    let along = Scale::linear(text!("distance from the centre, r/M", "расстояние от центра, r/M"), 0.0, 1.6);
     let frequencies = Panel::new(
         "frequencies",
         text!("frequency along a radius", "частота вдоль радиуса"),
         along,
         values("", 0.0, 1.6),
     )
+    .square()
     .legend(Legend::Above)
-    .with(Layer::curve("true", Meaning::Signal, 0.0, 1.6 * m, 2, |r| r / m).label(text!("true, r/M", "истинная, r/M")))
+    .with(Layer::curve("true", Meaning::Signal, 0.0, 1.6, 2, |r| r).label(text!("true, r/M", "истинная, r/M")))
     .with(
-        Layer::curve("seen", Meaning::Leaked, 0.0, 1.6 * m, 320, |r| fold(r / m, 1.0))
-            .thick()
-            .label(text!("seen", "видимая")),
+        Layer::curve("seen", Meaning::Leaked, 0.0, 1.6, 320, |r| fold(r, 1.0)).thick().label(text!("seen", "видимая")),
     )
     .with(
-        Layer::curve("gain", Meaning::Kernel, 0.0, 1.6 * m, 320, |r| sinc(r / m).abs())
+        Layer::curve("gain", Meaning::Kernel, 0.0, 1.6, 320, |r| sinc(r).abs())
             .dashed()
             .label(text!("area keeps |sinc|", "площадь: |sinc|")),
     );

@@ -34,23 +34,23 @@ const SYNTHESIS: Entry = Entry {
          пикселы. Внизу та же сцена за волнистым стеклом, неподвижным ровно в этих точках. Всюду между ними она другая, а \
          отсчёты совпадают до последнего бита: то, что между отсчётами, потеряно навсегда.",
     ),
-    params: &[Param::real("depth", &DEPTH, 0.4, 0.1, 0.5, "px")],
+    params: &[Param::real("depth", &DEPTH, 0.25, 0.1, 0.5, "px")],
     build: |params: &Params| synthesis(params.real("depth")),
 };
 
 /// Pixels along a side, and points in one along each axis where the scene is drawn finely.
-const SIDE: usize = 24;
-const FINE: usize = 6;
+const SIDE: usize = 28;
+const FINE: usize = 12;
 /// The part that is shown enlarged.
-const PART: [[f64; 2]; 2] = [[8.0, 14.0], [9.0, 15.0]];
+const PART: [[f64; 2]; 2] = [[10.0, 17.0], [11.0, 18.0]];
 
 /// A house in front of a low sun.
 fn scene() -> Result<impl Field> {
-    let sun = Disc::new([17.4, 7.3], 3.4)?;
-    let house = ConvexPolygon::new(&[[5.2, 12.1], [12.3, 12.1], [12.3, 20.2], [5.2, 20.2]])?;
-    let roof = ConvexPolygon::new(&[[3.9, 12.4], [13.6, 12.4], [8.7, 6.2]])?;
-    let window = ConvexPolygon::new(&[[7.2, 14.1], [10.3, 14.1], [10.3, 17.4], [7.2, 17.4]])?;
-    let sky = HalfPlane::through([0.0, 18.7], -0.05)?;
+    let sun = Disc::new([20.4, 8.7], 4.1)?;
+    let house = ConvexPolygon::new(&[[6.2, 14.2], [14.4, 14.2], [14.4, 23.6], [6.2, 23.6]])?;
+    let roof = ConvexPolygon::new(&[[4.6, 14.7], [15.9, 14.7], [10.2, 7.3]])?;
+    let window = ConvexPolygon::new(&[[8.4, 16.4], [12.1, 16.4], [12.1, 20.3], [8.4, 20.3]])?;
+    let sky = HalfPlane::through([0.0, 21.9], -0.05)?;
     Ok(from_fn(move |x, y| {
         let over = |below: f64, shape: f64, light: f64| below + shape * (light - below);
         let field = 0.12 + 0.08 * cos_pi(1.3 * y + 0.2 * x);
@@ -99,7 +99,7 @@ fn row(names: [&'static str; 3], title: Text, scene: &impl Field) -> Result<([Pa
     let fine = Image::of(scene, Grid::cells(whole.clone(), SIDE * FINE, whole, SIDE * FINE)?);
     let sampled = Image::of(scene, Grid::pixels(SIDE, SIDE)?);
     let [[x0, x1], [y0, y1]] = PART;
-    let cells = |low: f64, high: f64| (2.0 * FINE as f64 * (high - low)) as usize;
+    let cells = |low: f64, high: f64| (FINE as f64 * SIDE as f64 / 7.0 * (high - low)) as usize;
     let near = Image::of(scene, Grid::cells(x0..x1, cells(x0, x1), y0..y1, cells(y0, y1))?);
     let inside = |[x, y]: &[f64; 2]| (x0..x1).contains(x) && (y0..y1).contains(y);
     let points = sampled.grid().iter().filter(inside);

@@ -50,16 +50,20 @@ const SENSOR: Entry = Entry {
 /// Pixels along a side; as many cones, about, as pixels.
 const SIDE: usize = 12;
 /// The largest frequency shown, in cycles per side.
-const REACH: usize = 30;
+const REACH: usize = 28;
+/// The largest frequency of the radial mean.
+const FAR: usize = 54;
 /// How many mosaics the radial mean is taken over.
-const MOSAICS: u32 = 200;
+const MOSAICS: u32 = 100;
+/// How many the power near zero is measured over, where there are only four frequencies.
+const PLATEAU_MOSAICS: u32 = 200;
 
 fn sensor(params: &Params) -> Result<Figure> {
     let (fill, seed) = (params.real("fill"), params.count("seed") as u64);
     let (lattice, mosaic) = (Regular::new([SIDE, SIDE])?, PoissonDisk::with_about(SIDE * SIDE)?);
     let (pixels, cones) = (lattice.points(0), mosaic.points(seed));
     let (of_pixels, of_cones) = (Periodogram::of(&pixels, REACH)?, Periodogram::of(&cones, REACH)?);
-    let mean = Periodogram::mean(&mosaic, seed, MOSAICS, REACH)?;
+    let mean = Periodogram::mean(&mosaic, seed, MOSAICS, FAR)?;
     let radial = rings(&mean, 1.0)?;
     let unit = mean.points().sqrt();
 
@@ -81,13 +85,13 @@ fn sensor(params: &Params) -> Result<Figure> {
         ))
     };
     // in cycles per distance of receptors
-    let axis = || Scale::linear(text!("cycles per receptor", "периодов на рецептор"), 0.0, 2.3);
+    let axis = |end: f64| Scale::linear(text!("cycles per receptor", "периодов на рецептор"), 0.0, end);
     let per = SIDE as f64;
     let lines = (1..=REACH as i64).map(|u| [u as f64 / per, of_pixels.at(u, 0)]);
-    let cut = Panel::new("cut", text!("power along the axis", "мощность вдоль оси"), axis(), values("", 0.0, 180.0))
+    let cut = Panel::new("cut", text!("power along the axis", "мощность вдоль оси"), axis(2.4), values("", 0.0, 180.0))
         .with(Layer::stems("lines", Meaning::Replica, lines));
     let ring = radial.iter().map(|r| [r.frequency / unit, r.power]);
-    let curve = Panel::new("radial", text!("radial mean power", "средняя по кругу"), axis(), values("", 0.0, 2.2))
+    let curve = Panel::new("radial", text!("radial mean power", "средняя по кругу"), axis(4.4), values("", 0.0, 2.2))
         .legend(Legend::UpperRight)
         .with(Layer::horizontals("white", Meaning::Guide, [1.0]).dashed())
         .with(Layer::line("mean", Meaning::Replica, ring).thick());
@@ -95,11 +99,11 @@ fn sensor(params: &Params) -> Result<Figure> {
     let n = pixels.len() as f64;
     let expected = |[u, v]: [i64; 2]| if u % SIDE as i64 == 0 && v % SIDE as i64 == 0 { n } else { 0.0 };
     let off = of_pixels.half().map(|(f, p)| (p - expected(f)).abs()).fold(0.0, f64::max);
-    let [low, deviation] = band_power(&mosaic, MOSAICS, [0.02, 0.1])?;
-    let far: Vec<f64> = radial.iter().filter(|r| r.frequency > 2.0 * unit).map(|r| r.power).collect();
-    let flat = far.iter().sum::<f64>() / far.len() as f64;
+    let [low, deviation] = band_power(&mosaic, PLATEAU_MOSAICS, [0.02, 0.1])?;
     let top =
         radial.iter().fold([0.0; 2], |best, r| if r.power > best[1] { [r.frequency / unit, r.power] } else { best });
+    let beyond = radial.iter().filter(|r| r.frequency > 3.0 * unit);
+    let ripple = beyond.map(|r| (r.power - 1.0).abs()).fold(0.0, f64::max);
     // the ring peaks where a row of touching discs would: between 1 and the hexagonal lattice's 2/√3
     let hexagonal = (2.0 / 3f64.sqrt()).sqrt();
     Ok(Figure::new(3)
@@ -144,8 +148,11 @@ fn sensor(params: &Params) -> Result<Figure> {
             Residual::near("place of the ring", top[0], hexagonal, 1.0 / unit),
         )
         .claim(
-            text!("beyond the ring the power is that of white noise", "за кольцом мощность как у белого шума"),
-            Residual::near("mean power beyond two cycles per receptor", flat, 1.0, 0.05),
+            text!(
+                "beyond three cycles per receptor less than half of the ring's ripple is left: nearly flat noise",
+                "за тремя периодами на рецептор от ряби кольца остаётся меньше половины: почти ровный шум"
+            ),
+            Residual::at_most("|P − 1| beyond three cycles per receptor", ripple, 0.5 * (top[1] - 1.0)),
         ))
 }
 
@@ -240,6 +247,10 @@ fn pixels(params: &Params) -> Result<Figure> {
             .legend(Legend::Above)
             .with(Layer::verticals("nyquist", Meaning::Guide, [0.5]).dashed())
             .with(Layer::curve("transfer", Meaning::Kernel, 0.0, top, 2, |_| 1.0));
+    let named = |(above, width): (f64, f64)| {
+        let gain = sinc(0.5 * width);
+        ([1.55, gain + above], text!("a = {}: {gain:.2}", "a = {}: {gain:.2}", number(width, 2)))
+    };
     let closed = Panel::new(
         "transfer",
         text!("transfer: |sinc(aν)|", "передача: |sinc(aν)|"),
@@ -249,7 +260,8 @@ fn pixels(params: &Params) -> Result<Figure> {
     .with(Layer::verticals("nyquist", Meaning::Guide, [0.5]).dashed())
     .with(Layer::curve("half", Meaning::Guide, 0.0, top, PIECES, |nu| sinc(0.5 * a * nu).abs()).dashed())
     .with(Layer::curve("transfer", Meaning::Kernel, 0.0, top, PIECES, |nu| sinc(a * nu).abs()).thick())
-    .with(Layer::dots("at-nyquist", Meaning::Kernel, [[0.5, sinc(0.5 * a)], [0.5, sinc(0.25 * a)]]));
+    .with(Layer::dots("at-nyquist", Meaning::Kernel, [[0.5, sinc(0.5 * a)], [0.5, sinc(0.25 * a)]]))
+    .with(Layer::notes("gains", Meaning::Kernel, [(0.02, a), (0.12, 0.5 * a)].map(named)));
     let plain =
         |panel: Panel| Panel { layers: panel.layers.into_iter().map(|l| l.label(Text::EMPTY)).collect(), ..panel };
 
@@ -264,8 +276,13 @@ fn pixels(params: &Params) -> Result<Figure> {
         })
     };
     let decibels = |gain: f64| 20.0 * gain.log10();
-    let figure =
-        Figure::new(3).with(points).with(arrows(open, 1.0)).with(sensor).with(plain(arrows(closed, left))).claim(
+    let figure = Figure::new(3)
+        .heights([1.0, 1.2])
+        .with(points)
+        .with(arrows(open, 1.0))
+        .with(sensor)
+        .with(plain(arrows(closed, left)))
+        .claim(
             text!(
                 "pixels are samples of E ⊗ box: the integral over space equals the one over frequency",
                 "пикселы — отсчёты E ⊗ box: интеграл по площади равен интегралу по частоте"

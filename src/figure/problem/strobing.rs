@@ -192,7 +192,7 @@ fn positions(frequency: f64, alias: f64, path: &[[f64; 2]], spokes: usize) -> Pa
         points
     };
     let dots = path.iter().take(SHOWN).enumerate();
-    let dots = dots.map(|(k, at)| [k as f64 / RATE, wrapped((at[1] * spokes as f64 * 1e9).round() / 1e9)]);
+    let dots = dots.map(|(k, at)| [k as f64 / RATE, wrapped(at[1] * spokes as f64)]);
     let time = Scale::linear(text!("time, s", "время, с"), -0.01, end + 0.01);
     Panel::new(
         "positions",

@@ -32,11 +32,13 @@ const TILTED: Entry = Entry {
     title: &Text::fixed("A tilted square: how many samples, and where", "Наклонный квадрат: сколько отсчётов и где"),
     caption: &Text::fixed(
         "A square tilted by 20° and by 2°, with n×n samples a pixel averaged; the number is the RMSE to the exact coverage. \
-         At 2° the rows of a regular grid meet the edge all at once, so that n×n samples give hardly more than n + 1 \
-         greys; jittered samples give them all, and a smaller error, for a little noise.",
-        "Квадрат под углом 20° и 2°, среднее n×n отсчётов на пиксел; число — СКО от точного покрытия. При 2° граница \
-         встречает сразу целый ряд регулярной сетки, и n×n отсчётов дают чуть больше n + 1 градаций; отсчёты с \
-         джиттером дают все, и ошибка меньше — ценой слабого шума.",
+         At 20° a regular grid does best: the edge meets its samples one by one. At 2° it meets a whole row at once, so that \
+         n×n samples give little more than n + 1 greys, and stairs; jittered samples give all greys, and with 7×7 the smaller \
+         error: which is better depends on the scene.",
+        "Квадрат под углом 20° и 2°, среднее n×n отсчётов на пиксел; число — СКО от точного покрытия. При 20° лучше \
+         всего регулярная сетка: граница встречает её отсчёты по одному. При 2° — сразу целый ряд: n×n отсчётов дают чуть \
+         больше n + 1 градаций и ступени; отсчёты с джиттером дают все градации, а при 7×7 и меньшую ошибку. Что лучше, \
+         зависит от сцены.",
     ),
     params: &[
         Param::real("steep", &STEEP, 20.0, 10.0, 45.0, "°"),
@@ -124,7 +126,7 @@ fn tilted(params: &Params) -> Result<Figure> {
             let image = sampled(&scene, n, jittered, seed)?;
             let error = image.rmse(&exact)?;
             errors.push(error);
-            let shown = number(error, 2);
+            let shown = format!("{error:.4}");
             let angle = number(degrees, 3);
             let title = match (column, jittered) {
                 (0, _) => text!("{angle}°, 1×1: {shown}", "{angle}°, 1×1: {shown}"),
