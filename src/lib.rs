@@ -78,8 +78,10 @@
 //! | none | the library: transforms, sampling, replication, kernels, reconstruction, laws, and figures as data |
 //! | `plot` | figures drawn as SVG, PNG and PDF (plotters, and an embedded font: nothing of the system is used) |
 //! | `files` | images from PNG and JPEG files, and to PNG |
+//! | `threads` | films on several threads; the bits are the same |
 //! | `cli` (default) | the command `nyquist` |
 
+pub mod antialias;
 pub mod axis;
 pub mod beyond;
 pub mod comb;
@@ -87,6 +89,7 @@ pub mod door;
 pub mod error;
 pub mod field;
 pub mod figure;
+pub mod film;
 #[cfg(feature = "plot")]
 pub mod gallery;
 pub mod grid;
@@ -95,6 +98,7 @@ pub mod kernel;
 pub mod laws;
 pub mod num;
 pub mod nyquist;
+mod parallel;
 pub mod pattern;
 #[cfg(feature = "plot")]
 pub mod plot;
@@ -108,6 +112,9 @@ pub mod text;
 
 /// What users, notebooks and exercises import; nothing inside the library does.
 pub mod prelude {
+    pub use crate::antialias::adaptive::{Adapted, Budget, adaptive};
+    pub use crate::antialias::prefilter::prefiltered;
+    pub use crate::antialias::supersample::{Tap, supersample, weighted};
     pub use crate::axis::{Axis, Edge, Unit};
     pub use crate::beyond::{
         BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery, Refined,
@@ -141,6 +148,7 @@ pub mod prelude {
     pub use crate::field::zone_plate::ZonePlate;
     pub use crate::field::zoomed::Zoomed;
     pub use crate::field::{ExactMean, Field, FourierField, from_fn as field_fn};
+    pub use crate::film::{Exposure, Film, Sample};
     pub use crate::grid::Grid;
     pub use crate::image::dft::{forward as image_forward, inverse as image_inverse};
     pub use crate::image::filter::{Filter, Shape};

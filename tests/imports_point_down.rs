@@ -5,10 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 24] = [
+const FLOORS: [&str; 27] = [
     "error",
     "text",
     "num",
+    "parallel",
     "residual",
     "axis",
     "grid",
@@ -22,6 +23,8 @@ const FLOORS: [&str; 24] = [
     "comb",
     "reconstruct",
     "image",
+    "film",
+    "antialias",
     "door",
     "beyond",
     "resolve",

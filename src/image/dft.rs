@@ -3,6 +3,7 @@
 use crate::axis::Axis;
 use crate::image::{Image, ImageBins};
 use crate::num::{cos_pi, sin_pi};
+use crate::parallel;
 use crate::sampled::dft::phase;
 use crate::sampled::plan::{Plan, RealPlan};
 use ndarray::Array2;
@@ -14,7 +15,7 @@ use num_complex::Complex;
 /// continuous transform up to aliasing, the phase knows where the image starts, frequencies rise with zero at column
 /// `width/2` and row `height/2`. The transform is separable: first along the rows, as real records at half the cost,
 /// then along the `width/2 + 1` columns that symmetry does not repeat; `O(n log n)` for any size, and the same bits on
-/// every processor.
+/// every processor and for any number of threads.
 ///
 /// ```
 /// use nyquist::prelude::*;
@@ -32,7 +33,7 @@ pub fn forward(image: &Image) -> ImageBins {
     let across = physical(grid.x());
     let down = physical(grid.y());
     let mut full = Array2::zeros((ny, nx));
-    for (l, mut row) in full.rows_mut().into_iter().enumerate() {
+    parallel::chunks(full.as_slice_mut().expect(ROWS), nx, |l, row| {
         // row l stands for the frequency l − ny/2; its opposite, modulo ny
         let here = (l + ny - ny / 2) % ny;
         let opposite = (ny - here) % ny;
@@ -44,41 +45,53 @@ pub fn forward(image: &Image) -> ImageBins {
             };
             *value = raw * (across[k] * down[l]);
         }
-    }
+    });
     ImageBins::trusted(grid, full)
 }
+
+const ROWS: &str = "rows are kept one after another";
+
+/// How many rows share their work space, and how many columns are gathered at a time: as many complex numbers as two
+/// lines of a cache hold.
+const TOGETHER: usize = 8;
 
 /// The plain sums `X(k, l)` for `0 ≤ k ≤ nx/2` and all `l`, in plain order.
 fn half_plane(image: &Image) -> Array2<Complex<f64>> {
     let (nx, ny) = (image.width(), image.height());
-    let (plan, mut work) = (RealPlan::forward(nx), Vec::new());
-    let mut half = Array2::zeros((ny, nx / 2 + 1));
-    for (j, mut row) in half.rows_mut().into_iter().enumerate() {
-        let row = row.as_slice_mut().expect("rows are kept one after another");
-        plan.transform(image.row(j), row, &mut work);
-    }
+    let (plan, width) = (RealPlan::forward(nx), nx / 2 + 1);
+    let mut half = Array2::zeros((ny, width));
+    parallel::chunks(half.as_slice_mut().expect(ROWS), TOGETHER * width, |chunk, rows| {
+        let mut work = Vec::new();
+        for (j, row) in rows.chunks_exact_mut(width).enumerate() {
+            plan.transform(image.row(chunk * TOGETHER + j), row, &mut work);
+        }
+    });
     columns(&mut half, &Plan::forward(ny));
     half
 }
 
-/// How many columns are gathered at a time: as many complex numbers as two lines of a cache hold.
-const TOGETHER: usize = 8;
-
 /// Transforms every column in place.
 fn columns(values: &mut Array2<Complex<f64>>, plan: &Plan) {
     let (ny, nx) = values.dim();
-    let mut work = vec![Complex::ZERO; TOGETHER * ny];
-    let rows = values.as_slice_mut().expect("rows are kept one after another");
-    for first in (0..nx).step_by(TOGETHER) {
-        let block = TOGETHER.min(nx - first);
+    let rows = values.as_slice_mut().expect(ROWS);
+    let blocks = parallel::map(nx.div_ceil(TOGETHER), |block| {
+        let first = block * TOGETHER;
+        let count = TOGETHER.min(nx - first);
+        let mut work = vec![Complex::ZERO; count * ny];
         for (j, row) in rows.chunks_exact(nx).enumerate() {
-            row[first..first + block].iter().enumerate().for_each(|(i, v)| work[i * ny + j] = *v);
+            row[first..first + count].iter().enumerate().for_each(|(i, v)| work[i * ny + j] = *v);
         }
-        plan.run(&mut work[..block * ny]);
-        for (j, row) in rows.chunks_exact_mut(nx).enumerate() {
-            row[first..first + block].iter_mut().enumerate().for_each(|(i, v)| *v = work[i * ny + j]);
+        plan.run(&mut work);
+        work
+    });
+    parallel::chunks(rows, TOGETHER * nx, |chunk, rows| {
+        for (block, work) in blocks.iter().enumerate() {
+            for (j, row) in rows.chunks_exact_mut(nx).enumerate() {
+                let (j, columns) = (chunk * TOGETHER + j, row[block * TOGETHER..].iter_mut().take(TOGETHER));
+                columns.enumerate().for_each(|(i, v)| *v = work[i * ny + j]);
+            }
         }
-    }
+    });
 }
 
 /// `Δ·e^{−2πiν_k·start}` for the bins of one axis, in rising order.
@@ -118,12 +131,15 @@ pub fn inverse(bins: &ImageBins) -> Image {
         0.5 * (raw(k, l) + mirrored)
     });
     columns(&mut half, &Plan::inverse(ny));
-    let (plan, mut work) = (RealPlan::inverse(nx), Vec::new());
+    let (plan, width) = (RealPlan::inverse(nx), nx / 2 + 1);
     let mut pixels = Array2::zeros((ny, nx));
-    for (half, mut row) in half.rows().into_iter().zip(pixels.rows_mut()) {
-        let half = half.as_slice().expect("rows are kept one after another");
-        plan.restore(half, row.as_slice_mut().expect("rows are kept one after another"), &mut work);
-    }
+    let half = half.as_slice().expect(ROWS);
+    parallel::chunks(pixels.as_slice_mut().expect(ROWS), TOGETHER * nx, |chunk, rows| {
+        let mut work = Vec::new();
+        for (half, row) in half[chunk * TOGETHER * width..].chunks_exact(width).zip(rows.chunks_exact_mut(nx)) {
+            plan.restore(half, row, &mut work);
+        }
+    });
     Image::trusted(space, pixels)
 }
 

@@ -2,7 +2,7 @@
 
 use crate::error::{Result, unknown};
 use crate::laws::{
-    Law, alias, coverage, cubics, discrepancy, frames, generalised, gibbs, hold, integration, jitter, kernels,
+    Law, alias, coverage, cubics, discrepancy, film, frames, generalised, gibbs, hold, integration, jitter, kernels,
     lattices, metrics, plane, point_spectra, poisson, spacing, theorems, truncation, variance,
 };
 
@@ -28,6 +28,7 @@ static THEMES: &[&[Law]] = &[
     plane::LAWS,
     lattices::LAWS,
     coverage::LAWS,
+    film::LAWS,
 ];
 
 /// All laws.

@@ -8,6 +8,7 @@ pub mod catalog;
 pub mod coverage;
 pub mod cubics;
 pub mod discrepancy;
+pub mod film;
 pub mod frames;
 pub mod generalised;
 pub mod gibbs;

@@ -12,6 +12,7 @@ mod e12_irregular_samples_restore_the_signal;
 mod e13_e14_exact_area_is_a_box_prefilter;
 mod e15_e16_what_rings_and_how_much;
 mod e17_groups_of_strata_need_four_samples_and_not_1024;
+mod e18_a_sensor_filters_before_it_samples;
 mod e19_e20_deltas_and_copies;
 mod e21_edges_have_no_infinite_frequencies;
 mod e30_e31_drawings_of_the_source;

@@ -3,7 +3,9 @@
 mod a_band_far_from_zero_needs_little_more_than_twice_its_width;
 mod a_jittered_tone_fades_into_white_noise;
 mod adaptive_sampling_resolves_a_function_or_says_that_it_does_not;
+mod antialiasing_keeps_its_promises;
 mod exact_means_are_exact;
+mod films_weigh_scattered_samples;
 mod fourier_sums_overshoot_by_nine_percent;
 mod frequencies_fold_at_half_the_rate;
 mod holds_shutters_and_taps_have_their_transfers;
