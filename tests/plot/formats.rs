@@ -3,7 +3,7 @@
 use crate::samples::{Pixels, all, bare};
 use ndarray::Array2;
 use nyquist::figure::{Figure, Layer, Meaning, Panel, Scale, Tones};
-use nyquist::plot::{Format, Style, Theme, draw};
+use nyquist::plot::{Format, Style, Theme, animated, draw};
 use nyquist::text::{Lang, Text};
 use std::sync::OnceLock;
 
@@ -270,13 +270,13 @@ fn frames(apng: &[u8]) -> (Vec<Vec<u8>>, [u16; 2]) {
 fn an_animation_shows_its_frames() {
     let figure = nyquist::figure::catalog::by_name("f03-strobing").and_then(|entry| entry.figure());
     let motion = figure.expect("the wheel can be computed").motion.expect("it turns");
-    let style = nyquist::plot::Style { size: (480, 270), ..Default::default() };
+    let style = Style { size: (480, 270), ..Default::default() };
     let scenes: Vec<_> = motion.frames[..5]
         .iter()
-        .map(|frame| nyquist::plot::draw(&nyquist::text::Text::EMPTY, &nyquist::text::Text::EMPTY, frame, &style))
+        .map(|frame| draw(&Text::EMPTY, &Text::EMPTY, frame, &style))
         .collect();
-    let apng = nyquist::plot::animated(&scenes, motion.rate);
-    assert_eq!(apng, nyquist::plot::animated(&scenes, motion.rate));
+    let apng = animated(&scenes, motion.rate);
+    assert_eq!(apng, animated(&scenes, motion.rate));
     let (pictures, delay) = frames(&apng);
     assert_eq!((pictures.len(), delay), (5, [1, motion.rate]));
     for (scene, picture) in scenes.iter().zip(pictures) {

@@ -1,5 +1,6 @@
 //! A tilted square, sampled in seven ways (after a study in Levoy's course CS248).
 
+use crate::antialias::supersample::supersample;
 use crate::error::Result;
 use crate::field::polygon::ConvexPolygon;
 use crate::field::{ExactMean, Field};
@@ -8,11 +9,11 @@ use crate::figure::problem::picture::picture;
 use crate::figure::{Entry, Figure};
 use crate::grid::Grid;
 use crate::image::Image;
+use crate::kernel::box_kernel::BoxKernel;
 use crate::laws::jitter::deviations;
 use crate::num::{cos_pi, sin_pi};
 use crate::pattern::Pattern;
 use crate::pattern::jittered::Jittered;
-use crate::pattern::measure::periodogram::pattern_seed;
 use crate::pattern::regular::Regular;
 use crate::residual::Residual;
 use crate::text;
@@ -69,15 +70,10 @@ fn square(degrees: f64) -> Result<ConvexPolygon> {
 }
 
 /// The mean of the samples in every pixel.
-fn sampled(scene: &impl Field, n: usize, jittered: bool, seed: u64) -> Result<Image> {
+fn sampled(scene: &(impl Field + Sync), n: usize, jittered: bool, seed: u64) -> Result<Image> {
     let pattern: Box<dyn Pattern<2>> =
         if jittered { Box::new(Jittered::new([n, n])?) } else { Box::new(Regular::new([n, n])?) };
-    let grid = Grid::pixels(SIDE, SIDE)?;
-    let pixels = grid.iter().zip(0..).map(|([x, y], pixel)| {
-        let points = pattern.points(pattern_seed(seed, pixel));
-        points.iter().map(|[u, v]| scene.at(x - 0.5 + u, y - 0.5 + v)).sum::<f64>() / points.len() as f64
-    });
-    Image::new(grid, pixels.collect())
+    supersample(scene, Grid::pixels(SIDE, SIDE)?, &pattern, &BoxKernel, seed)
 }
 
 /// What theory says of the mean squared error of `n × n` samples a pixel.
