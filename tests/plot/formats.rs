@@ -271,10 +271,8 @@ fn an_animation_shows_its_frames() {
     let figure = nyquist::figure::catalog::by_name("f03-strobing").and_then(|entry| entry.figure());
     let motion = figure.expect("the wheel can be computed").motion.expect("it turns");
     let style = Style { size: (480, 270), ..Default::default() };
-    let scenes: Vec<_> = motion.frames[..5]
-        .iter()
-        .map(|frame| draw(&Text::EMPTY, &Text::EMPTY, frame, &style))
-        .collect();
+    let scenes: Vec<_> =
+        motion.frames[..5].iter().map(|frame| draw(&Text::EMPTY, &Text::EMPTY, frame, &style)).collect();
     let apng = animated(&scenes, motion.rate);
     assert_eq!(apng, animated(&scenes, motion.rate));
     let (pictures, delay) = frames(&apng);

@@ -211,7 +211,7 @@ fn gains(frequency: f64, alias: Alias) -> Panel {
     let end = (1.25 * frequency).max(30.0);
     let left = sinc(frequency * OPEN).abs();
     let scale = Scale::linear(text!("spokes in a second", "спиц в секунду"), 0.0, end);
-    Panel::new("gains", text!("half-open shutter", "полуоткрытый затвор"), scale, values("", 0.0, 1.15))
+    Panel::new("gains", text!("shutter open half the time", "затвор открыт полпериода"), scale, values("", 0.0, 1.15))
         .legend(Legend::Above)
         .with(Layer::verticals("nyquist", Meaning::Guide, [0.5 * RATE]).dashed())
         .with(
