@@ -10,6 +10,12 @@ use tiny_skia::{
 impl Scene {
     /// The picture as a PNG of `scale` pixels to the unit, without transparency.
     pub fn png(&self) -> Vec<u8> {
+        let (size, rgb) = self.pixels();
+        encoded(size, png::ColorType::Rgb, None, png::Filter::Adaptive, &rgb)
+    }
+
+    /// The picture as pixels: width and height, and red, green, blue row by row.
+    pub(super) fn pixels(&self) -> ((u32, u32), Vec<u8>) {
         let pixels = |units: u32| ((f64::from(units) * self.scale).round() as u32).max(1);
         let (width, height) = (pixels(self.size.0), pixels(self.size.1));
         let mut easel = Easel {
@@ -32,8 +38,7 @@ impl Scene {
                 Op::Image(image) => easel.image(image),
             }
         }
-        let rgb: Vec<u8> = easel.pixmap.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
-        encoded((width, height), png::ColorType::Rgb, None, png::Filter::Adaptive, &rgb)
+        ((width, height), easel.pixmap.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect())
     }
 }
 

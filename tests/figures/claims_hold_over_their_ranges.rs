@@ -89,7 +89,7 @@ fn of_the_formal_part() {
 
 #[test]
 fn of_the_problem() {
-    tried_together(&["f02", "f04", "f07", "f08"]);
+    tried_together(&["f01", "f02", "f03", "f04", "f05", "f07", "f08"]);
 }
 
 #[test]

@@ -10,5 +10,6 @@ mod numbers_formal;
 mod numbers_further;
 mod numbers_images;
 mod numbers_patterns;
+mod numbers_problem;
 mod numbers_scene;
 mod numbers_stochastic;
