@@ -32,7 +32,7 @@ const COPIES: Entry = Entry {
          kept, in both directions. Its spectrum repeats on a square lattice, 1/T apart. As long as the circles do not meet, \
          the one in the middle is untouched, and cutting it out restores the star; with the largest step they overlap. (Of the pictures the middle quarter is shown.)",
         "Звезда без частот за пределами круга, умноженная на плоский гребень Дирака: по обоим направлениям остаётся каждый \
-         второй, четвёртый, шестой пиксел. Её спектр повторяется на квадратной решётке с шагом 1/T. Пока круги не \
+         второй, четвёртый, шестой пиксель. Её спектр повторяется на квадратной решётке с шагом 1/T. Пока круги не \
          пересеклись, средний цел, и, вырезав его, можно восстановить звезду; при самом большом шаге они накладываются. (От картинок показана середина.)",
     ),
     params: &[Param::count("B", &BAND, 14, 8, 24)],
@@ -111,7 +111,7 @@ fn copies(band: usize) -> Result<Figure> {
             .with(Layer::line("band", Meaning::Leaked, circles(1, radius)).thick()))
     };
     let mut figure =
-        Figure::new(4).with(picture("whole", text!("every pixel", "все пикселы"), &middle(&limited)?, (0.0, 1.0)));
+        Figure::new(4).with(picture("whole", text!("every pixel", "все пиксели"), &middle(&limited)?, (0.0, 1.0)));
     let mut below = vec![view("whole-spectrum", &whole, 1)?];
     let mut claims = Vec::new();
     for (step, names) in STEPS.into_iter().zip([

@@ -27,7 +27,7 @@ const REACH: usize = 9;
 /// The darkest tone of a spectrum, in decibels.
 const FLOOR: f64 = -60.0;
 
-static RADIUS: Text = Text::fixed("radius a of the narrow spot, in pixels", "радиус a узкого пятна, в пикселах");
+static RADIUS: Text = Text::fixed("radius a of the narrow spot, in pixels", "радиус a узкого пятна, в пикселях");
 static ANGLE: Text = Text::fixed("angle of the turn, in degrees", "угол поворота, в градусах");
 
 const ROUND: Entry = Entry {

@@ -23,7 +23,7 @@ use std::f64::consts::PI;
 /// The figures of this family.
 pub static ENTRIES: &[Entry] = &[AREA];
 
-static PERIOD: Text = Text::fixed("where the ghost stands, in pixels", "где стоит ложный центр, в пикселах");
+static PERIOD: Text = Text::fixed("where the ghost stands, in pixels", "где стоит ложный центр, в пикселях");
 
 const AREA: Entry = Entry {
     id: "x-area-ghosts",
@@ -38,8 +38,8 @@ const AREA: Entry = Entry {
          One point per pixel shows the ghost as strong as the true centre. The exact area of every pixel is a box \
          prefilter: sinc ν of the contrast is left, 0.64 at ν = ½, 0.11 at 0.9, 0.22 again at 1.43. A Lanczos prefilter \
          leaves next to nothing.",
-        "Зонная пластинка с центром слева; где её кольца чаще половины периода на пиксел, идеальная картинка серая. Одна \
-         точка на пиксел даёт ложный центр той же силы, что настоящий. Точная площадь пиксела есть предфильтр box: от \
+        "Зонная пластинка с центром слева; где её кольца чаще половины периода на пиксель, идеальная картинка серая. Одна \
+         точка на пиксель даёт ложный центр той же силы, что настоящий. Точная площадь пикселя есть предфильтр box: от \
          контраста остаётся sinc ν — 0,64 при ν = ½, 0,11 при 0,9 и снова 0,22 при 1,43. Предфильтр Ланцоша не оставляет \
          почти ничего.",
     ),
@@ -162,7 +162,7 @@ fn area(period: usize) -> Result<Figure> {
     let mut plot = Panel::new(
         "contrast",
         text!("contrast of the rings to the right of the centre", "контраст колец справа от центра"),
-        Scale::linear(text!("local frequency ν, periods per pixel", "местная частота ν, периодов на пиксел"), 0.0, end),
+        Scale::linear(text!("local frequency ν, periods per pixel", "местная частота ν, периодов на пиксель"), 0.0, end),
         Scale::linear(Text::EMPTY, -0.3, 1.15),
     )
     .span(3)
@@ -204,7 +204,7 @@ fn area(period: usize) -> Result<Figure> {
         .claim(
             text!(
                 "by exact area every pixel is ½ + ½cos·sinc·sinc: {} of the ghost is left",
-                "по точной площади каждый пиксел равен ½ + ½cos·sinc·sinc: от ложного центра остаётся {}",
+                "по точной площади каждый пиксель равен ½ + ½cos·sinc·sinc: от ложного центра остаётся {}",
                 number(dimmed, 2)
             ),
             dimmed_ghosts(&exact, period)?,

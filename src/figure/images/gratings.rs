@@ -41,7 +41,7 @@ const CONSTANT: Entry = Entry {
          v = 0. A constant is a single bin. A sine is two, as far from zero as it has periods across the picture: 32 pixels \
          per period are 4. The scales of spectra count periods across the picture.",
         "Картинка 128 × 128, середина её спектра с нулевой частотой в центре и отсчёты спектра в строке v = 0. Константа — \
-         один отсчёт. Синус — два, на расстоянии от нуля, равном числу периодов на картинке: период в 32 пиксела даёт 4. \
+         один отсчёт. Синус — два, на расстоянии от нуля, равном числу периодов на картинке: период в 32 пикселя даёт 4. \
          По осям спектров — число периодов на картинку.",
     ),
     params: &[Param::count("k", &ACROSS, 4, 1, 15)],

@@ -23,7 +23,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// The figures of this family.
 pub static ENTRIES: &[Entry] = &[REFERENCES];
 
-static PERIOD: Text = Text::fixed("pixels per period", "пикселов на период");
+static PERIOD: Text = Text::fixed("pixels per period", "пикселей на период");
 static SEED: Text = Text::fixed("seed of the random places", "начальное число случайных позиций");
 
 const REFERENCES: Entry = Entry {
@@ -36,7 +36,7 @@ const REFERENCES: Entry = Entry {
          HyperGraph (siggraph.org, aliasing/alias0.htm) asks for a rate «greater than or equal to twice» the highest \
          frequency: at equality only cos φ of a tone is left. CS348B (wikis/cs348b-09): jittered samples have the spectrum \
          1 − sinc² and no false lines. (The facts are those of the courses' slides; the linked pages themselves may be gone.)",
-        "CS148 (graphics.stanford.edu/courses/cs148-10-summer): синус с периодом 32 пиксела на картинке в 128 — это отсчёты \
+        "CS148 (graphics.stanford.edu/courses/cs148-10-summer): синус с периодом 32 пикселя на картинке в 128 — это отсчёты \
          ±4. HyperGraph (siggraph.org, aliasing/alias0.htm) требует частоты «не меньше удвоенной»: при равенстве от тона \
          остаётся лишь cos φ. CS348B (wikis/cs348b-09): у отсчётов с джиттером спектр 1 − sinc² и нет ложных линий. (Факты \
          взяты из слайдов этих курсов; сами страницы могли исчезнуть.)",
@@ -78,7 +78,7 @@ fn references(params: &Params) -> Result<Figure> {
     let sine = Panel::new(
         "cs148",
         text!("CS148: sin(2πx/{period})", "CS148: sin(2πx/{period})"),
-        Scale::linear(text!("periods across 128 pixels", "периодов на 128 пикселов"), -20.5, 20.5),
+        Scale::linear(text!("periods across 128 pixels", "периодов на 128 пикселей"), -20.5, 20.5),
         Scale::linear(Text::same("|F|/N²"), 0.0, 0.62),
     )
     .with(Layer::stems("bins", Meaning::Signal, stems))

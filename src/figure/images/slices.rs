@@ -157,7 +157,7 @@ fn slice(angle: f64) -> Result<Figure> {
         .claim(
             text!(
                 "summing the pixels of every column gives the row v = 0, exactly",
-                "суммы пикселов по столбцам дают в точности строку v = 0"
+                "суммы пикселей по столбцам дают в точности строку v = 0"
             ),
             projection_slice(&image, 0),
         ))

@@ -31,9 +31,9 @@ const SMALL_OBJECTS: Entry = Entry {
         "A disc smaller than a pixel moves slowly: twelve frames. One sample a pixel hits it or misses it, with \
          probability πr², and it blinks between full brightness and nothing. The mean over the pixel's area spreads the \
          same light over the pixels that it touches, and the total never changes.",
-        "Диск меньше пиксела медленно движется: двенадцать кадров. Единственный отсчёт пиксела попадает в него с \
+        "Диск меньше пикселя медленно движется: двенадцать кадров. Единственный отсчёт пикселя попадает в него с \
          вероятностью πr², и диск мигает: полная яркость или ничего. Среднее по площади распределяет тот же свет по \
-         задетым пикселам, и сумма не меняется.",
+         задетым пикселям, и сумма не меняется.",
     ),
     params: &[Param::real("r", &RADIUS, 0.3, 0.15, 0.5, "px")],
     build: |params: &Params| small_objects(params.real("r")),
@@ -71,7 +71,7 @@ fn small_objects(radius: f64) -> Result<Figure> {
     let light = Panel::new("light", text!("light of the frame", "свет кадра"), along, unmarked(0.0, 1.3))
         .span(2)
         .legend(Legend::Above)
-        .with(Layer::stems("point", Meaning::Leaked, totals(0)).label(text!("1 sample a pixel", "1 отсчёт на пиксел")))
+        .with(Layer::stems("point", Meaning::Leaked, totals(0)).label(text!("1 sample a pixel", "1 отсчёт на пиксель")))
         .with(
             Layer::line("area", Meaning::Reconstructed, totals(1))
                 .thick()
@@ -88,10 +88,10 @@ fn small_objects(radius: f64) -> Result<Figure> {
     let apart = totals(1).map(|t| (t[1] - area).abs()).fold(0.0, f64::max);
     Ok(Figure::new(2)
         .heights([2.2, 1.0])
-        .with(strip("point-frames", text!("1 sample a pixel", "1 отсчёт на пиксел"), &frames, 0, radius))
+        .with(strip("point-frames", text!("1 sample a pixel", "1 отсчёт на пиксель"), &frames, 0, radius))
         .with(strip(
             "area-frames",
-            text!("mean over the pixel's area", "среднее по площади пиксела"),
+            text!("mean over the pixel's area", "среднее по площади пикселя"),
             &frames,
             1,
             radius,
@@ -163,8 +163,8 @@ fn motion(radius: f64) -> Result<Vec<Figure>> {
         }
         let [point, area] = images;
         let titles = [
-            text!("1 sample a pixel: Σ = {:.2}", "1 отсчёт на пиксел: Σ = {:.2}", total(&point)),
-            text!("pixel areas: Σ = {:.2}", "площадь пиксела: Σ = {:.2}", total(&area)),
+            text!("1 sample a pixel: Σ = {:.2}", "1 отсчёт на пиксель: Σ = {:.2}", total(&point)),
+            text!("pixel areas: Σ = {:.2}", "площадь пикселя: Σ = {:.2}", total(&area)),
         ];
         let [left, right] = titles;
         let over = |panel: Panel| panel.with(circles("discs", Meaning::Signal, radius, &places));

@@ -29,8 +29,8 @@ const HIGHLIGHTS: Entry = Entry {
         "A bumpy mirror, max(0, n·h)^{p}, whose highlights are narrower than a pixel, in three frames of a slow motion. \
          One sample a pixel: each frame finds other highlights, and even the total sparkles. With the mean over pixels \
          the highlights stay, dimmer and still, and the total is constant.",
-        "Бугристое зеркало, max(0, n·h)^{p}, с бликами уже пиксела, в трёх кадрах медленного движения. Один отсчёт на пиксел: в \
-         каждом кадре находятся другие блики, и мерцает даже сумма. При усреднении по пикселам блики остаются на местах, \
+        "Бугристое зеркало, max(0, n·h)^{p}, с бликами уже пикселя, в трёх кадрах медленного движения. Один отсчёт на пиксель: в \
+         каждом кадре находятся другие блики, и мерцает даже сумма. При усреднении по пикселям блики остаются на местах, \
          слабее и спокойно, а сумма постоянна.",
     ),
     params: &[Param::count("p", &POWER, 1500, 300, 3000), Param::count("seed", &SEED, 1, 1, 20)],
@@ -157,7 +157,7 @@ fn highlights(params: &Params) -> Result<Figure> {
         .claim(
             text!(
                 "one sample a pixel: the total sparkles by σ = {} % of its mean, the lines that fold onto zero",
-                "один отсчёт на пиксел: сумма мерцает на σ = {} % от среднего; это линии, попавшие в нуль",
+                "один отсчёт на пиксель: сумма мерцает на σ = {} % от среднего; это линии, попавшие в нуль",
                 number(100.0 * variance.sqrt() / mean, 3)
             ),
             Residual::near(
@@ -177,7 +177,7 @@ fn highlights(params: &Params) -> Result<Figure> {
         .claim(
             text!(
                 "means over pixels: the total is the same in every frame",
-                "средние по пикселам: сумма одна во всех кадрах"
+                "средние по пикселям: сумма одна во всех кадрах"
             ),
             Residual::at_most("total of means − light", still, 2.0 * rounding),
         ))

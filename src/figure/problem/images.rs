@@ -31,7 +31,7 @@ const IMAGES: Entry = Entry {
         "Above: every second pixel is kept, twice. Rings that are too fine for the new rate come back around centres that \
          never were (red), and the thin lines break into pieces. Below: a low-pass at the new Nyquist frequency before \
          each step. What cannot be shown is grey; what is shown is true, and the lines hold together.",
-        "Вверху дважды оставлен каждый второй пиксел. Кольца, слишком частые для новой сетки, возвращаются вокруг центров, \
+        "Вверху дважды оставлен каждый второй пиксель. Кольца, слишком частые для новой сетки, возвращаются вокруг центров, \
          которых не было (красные), а тонкие линии рвутся. Внизу перед каждым шагом — фильтр низких частот до новой частоты \
          Найквиста. Чего нельзя показать, то серое; что показано — правда, и линии целы.",
     ),

@@ -28,8 +28,8 @@ const JAGGIES: Entry = Entry {
         "A straight edge, one sample a pixel: rows of pixels are equal for cot θ columns, then jump by one, and the \
          flatter the edge the longer and plainer the stairs. The mean over the pixel's area, which is known exactly for \
          a straight edge, puts the fractions back.",
-        "Прямая граница, один отсчёт на пиксел: строки не меняются на протяжении cot θ столбцов и прыгают на пиксел; чем \
-         положе граница, тем длиннее и заметнее ступени. Среднее по площади пиксела, для прямой границы известное точно, \
+        "Прямая граница, один отсчёт на пиксель: строки не меняются на протяжении cot θ столбцов и прыгают на пиксель; чем \
+         положе граница, тем длиннее и заметнее ступени. Среднее по площади пикселя, для прямой границы известное точно, \
          возвращает дробные части.",
     ),
     params: &[Param::real("flat", &FLAT, 2.0, 1.0, 10.0, "°"), Param::real("steep", &STEEP, 20.0, 10.0, 40.0, "°")],
@@ -108,8 +108,8 @@ impl Edge {
 fn jaggies(params: &Params) -> Result<Figure> {
     let degrees = [params.real("flat"), params.real("steep")];
     let [flat, steep] = [measured(degrees[0])?, measured(degrees[1])?];
-    let title = |degrees: f64| text!("{}°, 1 sample a pixel", "{}°, 1 отсчёт на пиксел", number(degrees, 3));
-    let area = || text!("mean over the pixel's area", "среднее по площади пиксела");
+    let title = |degrees: f64| text!("{}°, 1 sample a pixel", "{}°, 1 отсчёт на пиксель", number(degrees, 3));
+    let area = || text!("mean over the pixel's area", "среднее по площади пикселя");
     let figure = Figure::new(2)
         .heights([1.0, 1.0, 0.9])
         .with(picture("flat-point", title(degrees[0]), &flat.point))
@@ -124,7 +124,7 @@ fn jaggies(params: &Params) -> Result<Figure> {
             .claim(
                 text!(
                     "at {}° the mean step is {} pixels long, cot θ",
-                    "при {}° средняя ступень имеет длину {} пикселов, cot θ",
+                    "при {}° средняя ступень имеет длину {} пикселей, cot θ",
                     number(degrees, 3),
                     number(edge.mean(), 4)
                 ),
@@ -134,7 +134,7 @@ fn jaggies(params: &Params) -> Result<Figure> {
             .claim(
                 text!(
                     "at {}° every step is {} or {} pixels long",
-                    "при {}° каждая ступень — {} или {} пиксела",
+                    "при {}° каждая ступень — {} или {} пикселя",
                     number(degrees, 3),
                     number(edge.cot.floor(), 3),
                     number(edge.cot.ceil(), 3)
@@ -147,7 +147,7 @@ fn jaggies(params: &Params) -> Result<Figure> {
         .claim(
             text!(
                 "point samples put the edge up to {} pixels beside its place",
-                "по точечным отсчётам граница стоит до {} пиксела в стороне",
+                "по точечным отсчётам граница стоит до {} пикселя в стороне",
                 number(point, 2)
             ),
             Residual::at_most("edge by point samples − straight edge", point, 0.5),

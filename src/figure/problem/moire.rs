@@ -17,7 +17,7 @@ use num_complex::Complex;
 use std::f64::consts::PI;
 
 static PERIOD: Text =
-    Text::fixed("distance M of the ghosts, in pixels", "расстояние M между ложными центрами, пикселы");
+    Text::fixed("distance M of the ghosts, in pixels", "расстояние M между ложными центрами, пиксели");
 
 /// The figures of this family.
 pub static ENTRIES: &[Entry] = &[MOIRE];
@@ -31,8 +31,8 @@ const MOIRE: Entry = Entry {
         "Rings whose frequency grows as r/M. Sampled once a pixel they repeat exactly with the period M: of the nine \
          centres only the one in the middle exists. The mean over the pixel's area weakens the ghosts, by sinc of the \
          frequency, but does not remove them: it is a box filter, not an ideal one.",
-        "Кольца, частота которых растёт как r/M. При одном отсчёте на пиксел картинка в точности повторяется с периодом M: из \
-         девяти центров существует только средний. Среднее по площади пиксела ослабляет ложные центры в sinc раз, но не \
+        "Кольца, частота которых растёт как r/M. При одном отсчёте на пиксель картинка в точности повторяется с периодом M: из \
+         девяти центров существует только средний. Среднее по площади пикселя ослабляет ложные центры в sinc раз, но не \
          убирает: это прямоугольный фильтр, а не идеальный.",
     ),
     params: &[Param::choice("M", &PERIOD, &["64", "48", "80", "96"])],
@@ -98,13 +98,13 @@ fn moire(params: &Params) -> Result<Figure> {
     // π·r²/M with r² ≤ 2·half², rounded three times
     let rounding = 4.0 * f64::EPSILON * (1.0 + PI * 2.0 * half * half / m);
     Ok(Figure::new(3)
-        .with(marked(picture("point", text!("1 sample a pixel", "1 отсчёт на пиксел"), &point)))
+        .with(marked(picture("point", text!("1 sample a pixel", "1 отсчёт на пиксель"), &point)))
         .with(marked(picture("area", text!("mean over the area", "среднее по площади"), &area)))
         .with(frequencies)
         .claim(
             text!(
                 "the samples repeat exactly after {} pixels across and down: {} ghosts are in the picture",
-                "отсчёты в точности повторяются через {} пикселов по обеим осям: на картинке {} ложных центров",
+                "отсчёты в точности повторяются через {} пикселей по обеим осям: на картинке {} ложных центров",
                 number(m, 3),
                 ghosts.len()
             ),
@@ -113,7 +113,7 @@ fn moire(params: &Params) -> Result<Figure> {
         .claim(
             text!(
                 "the mean over a pixel multiplies the rings by sinc(x/M)·sinc(y/M): {} is left at 0.9 of the rate",
-                "среднее по пикселу умножает кольца на sinc(x/M)·sinc(y/M): на 0.9 частоты дискретизации остаётся {}",
+                "среднее по пикселю умножает кольца на sinc(x/M)·sinc(y/M): на 0,9 частоты дискретизации остаётся {}",
                 number(sinc(0.9), 4)
             ),
             // within a pixel the rings are not quite a grating: the mean of |e^{iπt²/M} − 1| ≤ πt²/M over −½ … ½ is

@@ -25,9 +25,9 @@ const RETORT: Entry = Entry {
         "A silhouette like the retort with which Don Mitchell showed staircases. One sample a pixel is right inside and \
          outside and wrong wherever the outline runs; the stairs change their length along the neck, and the eye sees \
          that first. The mean over the pixel's area is exact for any polygon.",
-        "Силуэт, подобный реторте, на которой Дон Митчелл показывал «лестницу». Один отсчёт на пиксел верен внутри и \
+        "Силуэт, подобный реторте, на которой Дон Митчелл показывал «лестницу». Один отсчёт на пиксель верен внутри и \
          снаружи и неверен всюду, где проходит контур; длина ступеней вдоль горла меняется, и глаз замечает это прежде \
-         всего. Среднее по площади пиксела точно для любого многоугольника.",
+         всего. Среднее по площади пикселя точно для любого многоугольника.",
     ),
     params: &[Param::real("shift", &SHIFT, 0.0, 0.0, 1.0, "px")],
     build: |params: &Params| retort(params.real("shift")),
@@ -77,14 +77,14 @@ fn retort(shift: f64) -> Result<Figure> {
     let rounding = 4.0 * f64::EPSILON * outline.vertices().len() as f64 * (1.0 + SIZE.0 as f64) * crossed as f64;
     Ok(Figure::new(2)
         .heights([1.35, 1.0])
-        .with(marked(picture("point", text!("1 sample a pixel", "1 отсчёт на пиксел"), &shown(&point))))
-        .with(marked(picture("area", text!("mean over the pixel's area", "среднее по площади пиксела"), &shown(&area))))
+        .with(marked(picture("point", text!("1 sample a pixel", "1 отсчёт на пиксель"), &shown(&point))))
+        .with(marked(picture("area", text!("mean over the pixel's area", "среднее по площади пикселя"), &shown(&area))))
         .with(picture("point-part", text!("its neck", "горло"), &shown(&Image::of(&outline, part))))
         .with(picture("area-part", text!("its neck", "горло"), &shown(&Image::averaged(&outline, part))))
         .claim(
             text!(
                 "means over areas add up to the area inside, {} pixels",
-                "средние по площади складываются в площадь силуэта, {} пиксела",
+                "средние по площади складываются в площадь силуэта, {} пикселя",
                 number(outline.area(), 6)
             ),
             Residual::near("Σ means = area", total(&area), outline.area(), rounding),
@@ -92,7 +92,7 @@ fn retort(shift: f64) -> Result<Figure> {
         .claim(
             text!(
                 "point samples count {} pixels: off by less than the outline's length",
-                "точечные отсчёты насчитывают {} пиксела: ошибка меньше длины контура",
+                "точечные отсчёты насчитывают {} пикселя: ошибка меньше длины контура",
                 number(total(&point), 6)
             ),
             // Steinhaus 1947: |lattice points inside − area| < length, for a closed curve at least one long
@@ -101,7 +101,7 @@ fn retort(shift: f64) -> Result<Figure> {
         .claim(
             text!(
                 "they err only in the {} pixels that the outline crosses, RMSE {} over the picture",
-                "они ошибаются только в {} пикселах, через которые идёт контур; СКО по всей картинке {}",
+                "они ошибаются только в {} пикселях, через которые идёт контур; СКО по всей картинке {}",
                 crossed,
                 number(error, 3)
             ),

@@ -31,7 +31,7 @@ const SYNTHESIS: Entry = Entry {
          answers. Below: the same scene behind wavy glass that is still at exactly those points. It looks different \
          everywhere else, its samples are the same to the last bit: what lies between the samples is lost for good.",
         "Рендерер может вычислить свет сцены L(x, y) в любой точке, спрашивает в конечном их числе и делает из ответов \
-         пикселы. Внизу та же сцена за волнистым стеклом, неподвижным ровно в этих точках. Всюду между ними она другая, а \
+         пиксели. Внизу та же сцена за волнистым стеклом, неподвижным ровно в этих точках. Всюду между ними она другая, а \
          отсчёты совпадают до последнего бита: то, что между отсчётами, потеряно навсегда.",
     ),
     params: &[Param::real("depth", &DEPTH, 0.25, 0.1, 0.5, "px")],
@@ -111,7 +111,7 @@ fn row(names: [&'static str; 3], title: Text, scene: &impl Field) -> Result<([Pa
             Meaning::Samples,
             points,
         )),
-        marked(picture(names[2], text!("pixels", "пикселы"), &sampled)),
+        marked(picture(names[2], text!("pixels", "пиксели"), &sampled)),
     ];
     Ok((panels, [fine, sampled]))
 }

@@ -21,7 +21,7 @@ use crate::signal::{FourierPair, Signal, from_fn};
 use crate::text;
 use crate::text::{Text, number};
 
-static FILL: Text = Text::fixed("width of a pixel's sensitive part", "ширина светочувствительной части пиксела");
+static FILL: Text = Text::fixed("width of a pixel's sensitive part", "ширина светочувствительной части пикселя");
 static FINE: Text = Text::fixed("frequency of the fine grating", "частота мелкой решётки");
 static SEED: Text = Text::fixed("seed of the mosaic", "начальное число мозаики");
 
@@ -38,7 +38,7 @@ const SENSOR: Entry = Entry {
          isolated peaks, each of which makes a copy of the picture's spectrum. The cones keep their distance but no order \
          (Yellott 1983): around the central peak almost nothing, then a ring and flat noise, so that what is too fine \
          becomes noise instead of a false pattern.",
-        "Квадратные пикселы матрицы и колбочки глаза вне центральной ямки, поровну. Мощность решётки собрана в отдельные \
+        "Квадратные пиксели матрицы и колбочки глаза вне центральной ямки, поровну. Мощность решётки собрана в отдельные \
          пики, и каждый создаёт копию спектра картины. Колбочки держат расстояние, но не порядок (Йеллот, 1983): вокруг \
          центрального пика почти пусто, дальше кольцо и ровный шум, поэтому слишком мелкое становится шумом, а не ложным \
          узором.",
@@ -109,7 +109,7 @@ fn sensor(params: &Params) -> Result<Figure> {
     Ok(Figure::new(3)
         .with(layout(
             "lattice",
-            text!("pixels of a chip", "пикселы матрицы"),
+            text!("pixels of a chip", "пиксели матрицы"),
             Layer::line("pixels", Meaning::Samples, squares),
         ))
         .with(power("lattice-power", text!("their power", "их мощность"), &of_pixels))
@@ -160,14 +160,14 @@ const PIXELS: Entry = Entry {
     id: "f01-pixels",
     inventory: &["F01"],
     errata: &["E18"],
-    title: &Text::fixed("A pixel measures a mean", "Пиксел измеряет среднее"),
+    title: &Text::fixed("A pixel measures a mean", "Пиксель измеряет среднее"),
     caption: &Text::fixed(
         "Light with a fine grating in it. A renderer reads it at points, and the grating comes back whole as a slow wave. \
          A sensor integrates over the width aT of its pixels: that is the box prefilter, followed by point samples, with \
          the transfer sinc(aν). A full pixel nearly stops the grating, but even at Nyquist it lets 0.64 through.",
         "Свет с мелкой решёткой. Рендерер читает его в точках, и решётка целиком возвращается медленной волной. Сенсор \
-         интегрирует по ширине aT своих пикселов: это прямоугольный предфильтр, а затем точечные отсчёты, с передачей \
-         sinc(aν). Полный пиксел почти гасит решётку, но и на частоте Найквиста пропускает 0,64.",
+         интегрирует по ширине aT своих пикселей: это прямоугольный предфильтр, а затем точечные отсчёты, с передачей \
+         sinc(aν). Полный пиксель почти гасит решётку, но и на частоте Найквиста пропускает 0,64.",
     ),
     params: &[Param::real("a", &FILL, 1.0, 0.2, 1.0, "T"), Param::real("f", &FINE, 0.9, 0.6, 1.4, "cycles per pixel")],
     build: pixels,
@@ -227,7 +227,7 @@ fn pixels(params: &Params) -> Result<Figure> {
         .with(
             Layer::line("means", Meaning::Reconstructed, bars)
                 .thick()
-                .label(text!("pixels R_{{i}}", "пикселы R_{{i}}")),
+                .label(text!("pixels R_{{i}}", "пиксели R_{{i}}")),
         );
     let left = sinc(a * f);
     let arrows = |panel: Panel, gain: f64| {
@@ -285,7 +285,7 @@ fn pixels(params: &Params) -> Result<Figure> {
         .claim(
             text!(
                 "pixels are samples of E ⊗ box: the integral over space equals the one over frequency",
-                "пикселы — отсчёты E ⊗ box: интеграл по площади равен интегралу по частоте"
+                "пиксели — отсчёты E ⊗ box: интеграл по площади равен интегралу по частоте"
             ),
             // values below 1.5, and arguments of cosines up to 2π·f·(END + 1), rounded
             Residual::at_most(
@@ -299,7 +299,7 @@ fn pixels(params: &Params) -> Result<Figure> {
         Ok(figure.claim(
             text!(
                 "a pixel of width {} keeps {} of a tone at Nyquist, {} dB",
-                "пиксел шириной {} оставляет {} от тона на частоте Найквиста, {} дБ",
+                "пиксель шириной {} оставляет {} от тона на частоте Найквиста, {} дБ",
                 number(width, 3),
                 number(measured.value, 4),
                 number(decibels(measured.value), 3)

@@ -36,7 +36,7 @@ const TILTED: Entry = Entry {
          At 20° a regular grid does best: the edge meets its samples one by one. At 2° it meets a whole row at once, so that \
          n×n samples give little more than n + 1 greys, and stairs; jittered samples give all greys, and with 7×7 the smaller \
          error: which is better depends on the scene.",
-        "Квадрат под углом 20° и 2°, среднее n×n отсчётов на пиксел; число — СКО от точного покрытия. При 20° лучше \
+        "Квадрат под углом 20° и 2°, среднее n×n отсчётов на пиксель; число — СКО от точного покрытия. При 20° лучше \
          всего регулярная сетка: граница встречает её отсчёты по одному. При 2° — сразу целый ряд: n×n отсчётов дают чуть \
          больше n + 1 градаций и ступени; отсчёты с джиттером дают все градации, а при 7×7 и меньшую ошибку. Что лучше, \
          зависит от сцены.",

@@ -32,7 +32,7 @@ const APPLICATION: Entry = Entry {
         "Above one sample a pixel, below what can be done about it. Polygons have an exact area in the pixel, textures a \
          table of means, formulas a known frequency that can be faded out: in these cases a prefilter exists. For L in \
          general, here a ball that mirrors a floor, nothing is known but its values at points: more samples are all there is.",
-        "Сверху один отсчёт на пиксел, снизу — что с этим можно сделать. У многоугольников есть точная площадь в пикселе, у \
+        "Сверху один отсчёт на пиксель, снизу — что с этим можно сделать. У многоугольников есть точная площадь в пикселе, у \
          текстур — таблица средних, у формул — известная частота, которую можно погасить: здесь префильтр существует. Для \
          L общего вида (зеркальный шар над полом) известны только значения в точках: остаётся брать больше отсчётов.",
     ),
@@ -160,7 +160,7 @@ fn application(seed: u64) -> Result<Figure> {
         .claim(
             text!(
                 "polygons: the pixels add up to the area, {} of the picture",
-                "многоугольники: пикселы в сумме дают площадь, {} картинки",
+                "многоугольники: пиксели в сумме дают площадь, {} картинки",
                 number(area, 4)
             ),
             // 24 wedges clipped in each pixel, each to 16ε of the picture's side

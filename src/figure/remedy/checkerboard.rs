@@ -17,7 +17,7 @@ use crate::text::{Text, number};
 /// The figures of this family.
 pub static ENTRIES: &[Entry] = &[UNIFORM, AREA];
 
-static COUNT: Text = Text::fixed("samples per pixel, n × n", "отсчётов на пиксел, n × n");
+static COUNT: Text = Text::fixed("samples per pixel, n × n", "отсчётов на пиксель, n × n");
 
 const UNIFORM: Entry = Entry {
     id: "f35-checkerboard",
@@ -25,15 +25,15 @@ const UNIFORM: Entry = Entry {
     errata: &[],
     title: &Text::fixed(
         "One sample a pixel, and uniform supersampling",
-        "Один отсчёт на пиксел и равномерный супер-сэмплинг",
+        "Один отсчёт на пиксель и равномерный супер-сэмплинг",
     ),
     caption: &Text::fixed(
         "An endless checkerboard (after T. Duff). One sample a pixel makes false squares near the horizon. Uniform \
          supersampling smooths the edges, but it has ghosts of its own, nearer to the horizon: in the row where the \
          squares pass as fast as the samples (dashed), all samples of a pixel see the same colour.",
-        "Бесконечная шахматная доска (по Т. Даффу). Один отсчёт на пиксел рисует у горизонта ложные клетки. Равномерный \
+        "Бесконечная шахматная доска (по Т. Даффу). Один отсчёт на пиксель рисует у горизонта ложные клетки. Равномерный \
          супер-сэмплинг сглаживает края, но у него свои ложные узоры, ближе к горизонту: в строке, где клетки идут с \
-         частотой отсчётов (пунктир), все отсчёты пиксела видят один цвет.",
+         частотой отсчётов (пунктир), все отсчёты пикселя видят один цвет.",
     ),
     params: &[Param::count("n", &COUNT, 4, 2, 8)],
     build: |params| uniform(params.count("n")),
@@ -109,7 +109,7 @@ fn uniform(n: usize) -> Result<Figure> {
         figure = figure.claim(
             text!(
                 "{m} samples a pixel: expected at row {}, the longest run of equal samples is around row {}",
-                "отсчётов на сторону пиксела {m}: ложный узор ожидается в строке {}, самая длинная серия равных — около {}",
+                "отсчётов на сторону пикселя {m}: ложный узор ожидается в строке {}, самая длинная серия равных — около {}",
                 number(row, 3),
                 number(found, 3)
             ),
@@ -120,7 +120,7 @@ fn uniform(n: usize) -> Result<Figure> {
     Ok(figure.claim(
         text!(
             "of the picture of {n} × {n} samples, pixel row {falsest} is the falsest: it covers rows {falsest} to {}",
-            "в картинке {n} × {n} отсчётов сильнее всех врёт строка пикселов {falsest}, от {falsest} до {}",
+            "в картинке {n} × {n} отсчётов сильнее всех врёт строка пикселей {falsest}, от {falsest} до {}",
             falsest + 1
         ),
         // half a pixel from its middle to its edge
@@ -210,7 +210,7 @@ fn area(n: usize) -> Result<Figure> {
         .claim(
             text!(
                 "brute force, 300 × 300 samples in each of five pixels, agrees to {}",
-                "перебор, 300 × 300 отсчётов в каждом из пяти пикселов, совпадает до {}",
+                "перебор, 300 × 300 отсчётов в каждом из пяти пикселей, совпадает до {}",
                 number(off, 1)
             ),
             Residual::at_most("differences to counted samples, in bounds of counting", parts, 1.0),

@@ -29,7 +29,7 @@ const JITTERED: Entry = Entry {
         "Sixteen samples a pixel both times. Jitter has no ghost: where uniform samples draw false squares, there is \
          noise around the right grey, and the error is smaller as well. Its size follows from the area p of white in \
          each of the sixteen cells: Σp(1 − p)/16² in every pixel.",
-        "В обоих случаях шестнадцать отсчётов на пиксел. У джиттера нет ложного узора: там, где равномерные отсчёты рисуют \
+        "В обоих случаях шестнадцать отсчётов на пиксель. У джиттера нет ложного узора: там, где равномерные отсчёты рисуют \
          ложные клетки, — шум вокруг верного серого, и сама ошибка меньше. Её величина следует из доли белого p в каждой \
          из шестнадцати ячеек: Σp(1 − p)/16² в пикселе.",
     ),
@@ -80,7 +80,7 @@ fn jittered(seed: u64) -> Result<Figure> {
     let power = Panel::new(
         "power",
         text!("power of the error in row {GHOST}", "мощность ошибки в строке {GHOST}"),
-        Scale::linear(text!("ν, cycles per pixel", "ν, периодов на пиксел"), 0.0, 0.5),
+        Scale::linear(text!("ν, cycles per pixel", "ν, периодов на пиксель"), 0.0, 0.5),
         values("", 0.0, 1.1 * top),
     )
     .legend(Legend::Above)
@@ -176,7 +176,7 @@ const MAP: Entry = Entry {
         "The mean square error of every pixel with sixteen samples, dark below 10^{−5}, yellow from 0.1 on. Independent samples err wherever \
          there is an edge, by p(1 − p)/16; jittered ones never more than that, and far less where an edge crosses only a \
          few cells. Uniform samples have no noise: their error is always the same, and strongest in the ghosts.",
-        "Средний квадрат ошибки каждого пиксела при шестнадцати отсчётах: тёмное — меньше 10^{−5}, жёлтое — от 0,1. Независимые отсчёты ошибаются \
+        "Средний квадрат ошибки каждого пикселя при шестнадцати отсчётах: тёмное — меньше 10^{−5}, жёлтое — от 0,1. Независимые отсчёты ошибаются \
          везде, где есть край, на p(1 − p)/16; отсчёты с джиттером — никогда не больше, и намного меньше там, где край \
          задевает лишь часть ячеек. У равномерных шума нет: ошибка всегда одна и та же, сильнее всего — в ложных узорах.",
     ),

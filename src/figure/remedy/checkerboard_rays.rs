@@ -26,13 +26,13 @@ const REFERENCE: Entry = Entry {
     errata: &[],
     title: &Text::fixed(
         "A picture to compare with: 256 rays a pixel",
-        "Изображение для сравнения: 256 лучей на пиксел",
+        "Изображение для сравнения: 256 лучей на пиксель",
     ),
     caption: &Text::fixed(
         "16 × 16 jittered rays a pixel. For this scene the exact picture is known, so that one sees what such a reference \
          is worth: what is left is noise, strongest at the horizon. Along edges jitter gains as N^{−3/4}; near the horizon, \
          where every cell holds many squares, only as N^{−1/2}.",
-        "16 × 16 лучей с джиттером на пиксел. Для этой сцены известна точная картинка, и видно, чего стоит такой эталон: \
+        "16 × 16 лучей с джиттером на пиксель. Для этой сцены известна точная картинка, и видно, чего стоит такой эталон: \
          остался шум, сильнее всего у горизонта. На краях ошибка с джиттером падает как N^{−3/4}, а у горизонта, где в \
          каждой ячейке много клеток, — лишь как N^{−1/2}.",
     ),
@@ -67,7 +67,7 @@ fn reference(seed: u64) -> Result<Figure> {
     let rates = Panel::new(
         "rates",
         text!("error against N", "ошибка в зависимости от N"),
-        Scale::log(text!("rays per pixel N", "лучей на пиксел N"), 0.7, 370.0)
+        Scale::log(text!("rays per pixel N", "лучей на пиксель N"), 0.7, 370.0)
             .ticks([1.0, 4.0, 16.0, 64.0, 256.0].map(|n| (n, text!("{n}", "{n}")))),
         Scale::log(Text::EMPTY, 1.5e-3, 0.3),
     )
@@ -130,12 +130,12 @@ const ONE_RAY: Entry = Entry {
     id: "f51-one-ray",
     inventory: &["F51"],
     errata: &["E11"],
-    title: &Text::fixed("One ray a pixel: false squares or noise", "Один луч на пиксел: ложные клетки или шум"),
+    title: &Text::fixed("One ray a pixel: false squares or noise", "Один луч на пиксель: ложные клетки или шум"),
     caption: &Text::fixed(
         "A jittered ray turns the false squares into noise. It does not make the error smaller: for one ray a pixel the \
          root mean square error even rises. But the bright spots in the spectrum of the error (below, in multiples of the \
          mean) are gone, and with them the structure that the eye finds. Four jittered rays do reduce the error.",
-        "Луч с джиттером превращает ложные клетки в шум. Ошибку он не уменьшает: при одном луче на пиксел \
+        "Луч с джиттером превращает ложные клетки в шум. Ошибку он не уменьшает: при одном луче на пиксель \
          среднеквадратичная ошибка даже растёт. Но яркие точки в спектре ошибки (внизу, в долях среднего) исчезают, а с \
          ними структура, которую находит глаз. Четыре луча с джиттером уменьшают и ошибку.",
     ),

@@ -19,7 +19,7 @@ use ndarray::Array2;
 /// The figures of this family.
 pub static ENTRIES: &[Entry] = &[PIXEL];
 
-static COUNT: Text = Text::fixed("samples per pixel, n × n", "отсчётов на пиксел, n × n");
+static COUNT: Text = Text::fixed("samples per pixel, n × n", "отсчётов на пиксель, n × n");
 static WEIGHTS: Text = Text::fixed("the kernel that the weights are taken from", "ядро, из которого берутся веса");
 static SUM: Text = Text::fixed("what the weights add up to on the right", "сумма весов справа");
 
@@ -27,12 +27,12 @@ const PIXEL: Entry = Entry {
     id: "f33-pixel",
     inventory: &["F33", "F34"],
     errata: &[],
-    title: &Text::fixed("A grid of samples makes one pixel", "Из сетки отсчётов — один пиксел"),
+    title: &Text::fixed("A grid of samples makes one pixel", "Из сетки отсчётов — один пиксель"),
     caption: &Text::fixed(
         "Pixel = Σ w_{s}·Sample_{s}: the samples of one pixel (the framed one in the third panel), their weights, and the \
          picture. The slide does not say that the weights must add up to one: where they do not, every constant changes \
          its brightness, and with it the picture.",
-        "Пиксел = Σ w_{s}·Отсчёт_{s}: отсчёты одного пиксела (на третьей панели он в рамке), их веса и картинка. На слайде не \
+        "Пиксель = Σ w_{s}·Отсчёт_{s}: отсчёты одного пикселя (на третьей панели он в рамке), их веса и картинка. На слайде не \
          сказано, что сумма весов должна быть равна единице: иначе меняется яркость любой константы, а с ней и всей картинки.",
     ),
     params: &[
@@ -114,7 +114,7 @@ fn pixel(params: &Params) -> Result<Figure> {
         .claim(
             text!(
                 "the framed pixel is Σ w·sample = {} of the {} samples on the left",
-                "пиксел в рамке равен Σ w·отсчёт = {} по отсчётам слева (их {})",
+                "пиксель в рамке равен Σ w·отсчёт = {} по отсчётам слева (их {})",
                 number(own, 3),
                 n * n
             ),
