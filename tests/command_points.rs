@@ -171,3 +171,21 @@ fn the_list_names_every_pattern_and_each_can_be_made() {
         assert!(stdout(&points(&["--list"])).contains(name));
     }
 }
+
+#[test]
+fn one_place_under_two_names_is_refused() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let (one, other) = (folder.path().join("x.svg"), folder.path().join(".").join("x.svg"));
+    let output = points(&["random", "-n", "16", "-o", text(&one), "--spectrum", text(&other)]);
+    assert!(code(&output) == 2 && stderr(&output).contains("name the same file"), "{}", stderr(&output));
+    assert!(!one.exists());
+}
+
+#[test]
+fn where_one_file_cannot_be_written_neither_is() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let (good, missing) = (folder.path().join("x.svg"), folder.path().join("missing").join("x.csv"));
+    let output = points(&["random", "-n", "16", "-o", text(&missing), "--spectrum", text(&good)]);
+    assert!(code(&output) == 2 && stderr(&output).contains("its folder does not exist"), "{}", stderr(&output));
+    assert_eq!(std::fs::read_dir(folder.path()).expect("readable").count(), 0);
+}

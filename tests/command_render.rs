@@ -126,3 +126,25 @@ fn the_list_names_what_can_be_rendered_in_both_languages_and_as_json() {
     assert_eq!(scenes.len(), nyquist::scene::catalog::all().len());
     assert!(scenes.iter().all(|s| s["about"]["ru"].is_string()));
 }
+
+#[cfg(unix)]
+#[test]
+fn what_is_no_plain_file_is_never_replaced_not_even_by_force() {
+    use std::os::unix::fs::FileTypeExt;
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let pipe = folder.path().join("pipe.png");
+    assert!(Command::new("mkfifo").arg(&pipe).status().expect("mkfifo starts").success());
+    let output = render(&[&["spheres", "--force", "-o", pipe.to_str().expect("text")], &SMALL[..]].concat());
+    assert_eq!(code(&output), 2);
+    assert!(stderr(&output).contains("is not a file that could be replaced"), "{}", stderr(&output));
+    assert!(fs::metadata(&pipe).expect("still there").file_type().is_fifo());
+}
+
+#[test]
+fn the_name_says_png_and_a_minus_is_standard_output() {
+    let output = render(&[&["spheres", "-o", "picture.jpg"], &SMALL[..]].concat());
+    assert!(code(&output) == 2 && stderr(&output).contains("picture.jpg does not end with .png"));
+    let output = render(&[&["spheres", "-o", "-"], &SMALL[..]].concat());
+    assert_eq!(code(&output), 0);
+    assert!(read_picture("-", &output.stdout, Limits::default()).is_ok());
+}

@@ -3,17 +3,36 @@
 use crate::cli::Failure;
 use std::fs;
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// A file that may be written: one that does not exist, or, with `force`, one that may be replaced.
+/// A file that may be written: one that does not exist in a folder that does, or, with `force`, one that may be replaced.
+/// What is not a plain file (a folder, a device, a pipe) is never replaced.
 pub(super) fn vacant(path: &Path, force: bool) -> Result<(), Failure> {
     let trouble = |why: &str| Err(Failure::Trouble(format!("{} {why}", path.display())));
+    if path.file_name().is_none() {
+        return trouble("is not a file that could be written");
+    }
     match fs::metadata(path) {
+        Err(_) if !folder_of(path).is_dir() => trouble("cannot be written: its folder does not exist"),
         Err(_) => Ok(()),
         Ok(there) if !there.is_file() => trouble("is not a file that could be replaced"),
         Ok(_) if !force => trouble("exists already; --force replaces it"),
         Ok(_) => Ok(()),
     }
+}
+
+/// The folder that a file stands in.
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Whether two names, of files that need not exist yet, are one place.
+pub(super) fn same(one: &Path, other: &Path) -> bool {
+    let place = |path: &Path| {
+        let whole = fs::canonicalize(path).ok();
+        whole.or_else(|| Some(fs::canonicalize(folder_of(path)).ok()?.join(path.file_name()?)))
+    };
+    one == other || place(one).is_some_and(|p| Some(p) == place(other))
 }
 
 /// Writes to a temporary file beside the target and renames it, so that an existing file is replaced whole or stays
@@ -24,21 +43,42 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 
 /// [`write`] for what is made while it is written.
 pub(super) fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
-    let failed = |error: io::Error| Failure::trouble(format!("cannot write {}", path.display()), error);
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    fs::create_dir_all(folder).map_err(failed)?;
-    let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-    let temporary = folder.join(format!(".{name}.{}.tmp", std::process::id()));
-    let written = fs::File::create(&temporary)
-        .and_then(|file| {
+    Prepared::new(path, fill)?.place()
+}
+
+/// A file that is written whole, but not in its place yet: several can be prepared before the first is placed.
+pub(super) struct Prepared {
+    temporary: PathBuf,
+    target: PathBuf,
+}
+
+impl Prepared {
+    /// Writes the temporary file.
+    pub(super) fn new(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Self, Failure> {
+        let failed = |error: io::Error| Failure::trouble(format!("cannot write {}", path.display()), error);
+        let folder = folder_of(path);
+        fs::create_dir_all(folder).map_err(failed)?;
+        let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+        let temporary = folder.join(format!(".{name}.{}.tmp", std::process::id()));
+        let prepared = Self { temporary, target: path.to_owned() };
+        let written = fs::File::create(&prepared.temporary).and_then(|file| {
             let mut file = BufWriter::new(file);
             fill(&mut file)?;
             file.flush()
-        })
-        .and_then(|()| fs::rename(&temporary, path));
-    written.map_err(|error| {
-        // best effort: the error that matters is the first
-        let _ = fs::remove_file(&temporary);
-        failed(error)
-    })
+        });
+        written.map(|()| prepared).map_err(failed)
+    }
+
+    /// Puts it where it belongs.
+    pub(super) fn place(self) -> Result<(), Failure> {
+        let failed = |error| Failure::trouble(format!("cannot write {}", self.target.display()), error);
+        fs::rename(&self.temporary, &self.target).map_err(failed)
+    }
+}
+
+impl Drop for Prepared {
+    fn drop(&mut self) {
+        // gone already where it was placed; otherwise best effort, the error that matters is another
+        let _ = fs::remove_file(&self.temporary);
+    }
 }

@@ -1,6 +1,7 @@
 //! `nyquist points`: sample patterns as numbers.
 
-use crate::cli::{Failure, files};
+use crate::cli::Failure;
+use crate::cli::files::{self, Prepared};
 use nyquist::figure::patterns::portrait::portrait;
 use nyquist::pattern::cloud::{Cloud, Dimensions, MOST_DIMENSIONS, known};
 use nyquist::pattern::measure::summary::Summary;
@@ -59,7 +60,9 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     if args.json && to_output {
         return Err(Failure::Trouble("-o - and --json would mix points and measures on standard output".into()));
     }
-    if args.spectrum.is_some() && args.spectrum == args.out {
+    if let (Some(spectrum), Some(out)) = (&args.spectrum, &args.out)
+        && files::same(spectrum, out)
+    {
         return Err(Failure::Trouble("-o and --spectrum name the same file".into()));
     }
     for path in [to_file, args.spectrum.as_deref()].into_iter().flatten() {
@@ -72,15 +75,18 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
         let _ = writeln!(io::stderr(), "{name} gives {} points with this seed, not {count}", cloud.len());
     }
     let summary = if args.json || format.is_some() { Some(Summary::of(&cloud)?) } else { None };
+    // both are written before either is put in its place
+    let mut files = Vec::new();
     if let (Some(path), Some(format), Some(summary)) = (&args.spectrum, format, &summary) {
         let drawn = portrait(name, &cloud, summary)?;
         let style = Style { lang: args.lang, ..Style::default() };
         let scene = draw(&drawn.title, &drawn.caption, &drawn.figure, &style);
-        files::write(path, &scene.write(format))?;
+        files.push(Prepared::new(path, |file| file.write_all(&scene.write(format)))?);
     }
     if let Some(path) = to_file {
-        files::write_with(path, |file| csv(&cloud, file))?;
+        files.push(Prepared::new(path, |file| csv(&cloud, file))?);
     }
+    files.into_iter().try_for_each(Prepared::place)?;
     if to_output {
         csv(&cloud, &mut io::BufWriter::new(&mut *out))?;
     }

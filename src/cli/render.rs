@@ -24,7 +24,7 @@ pub(super) struct Args {
     /// The scene; --list has them all
     #[arg(required_unless_present = "list")]
     scene: Option<String>,
-    /// The PNG to write
+    /// The PNG to write; `-` is standard output
     #[arg(short, long, value_name = "OUT.png", required_unless_present = "list")]
     out: Option<PathBuf>,
     /// Pixels in a row
@@ -69,7 +69,19 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     let entry = catalog::by_name(scene)?;
     let pattern = grouped::by_name(&args.pattern, args.spp)?;
     let kernel = kernels::by_name(&args.filter)?;
-    writable(file, args.force)?;
+    let to_output = file == Path::new("-");
+    if to_output && args.json {
+        return Err(Failure::Trouble("-o - and --json would mix picture and report on standard output".into()));
+    }
+    if !to_output {
+        if file.extension().is_none_or(|e| !e.eq_ignore_ascii_case("png")) {
+            return Err(Failure::Trouble(format!(
+                "{} does not end with .png, and PNG is what is written",
+                file.display()
+            )));
+        }
+        files::vacant(file, args.force)?;
+    }
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads.map_or(0, usize::from));
     let pool = pool.build().map_err(|error| Failure::trouble("cannot start threads", error))?;
     let started = Instant::now();
@@ -81,6 +93,9 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     progress.finish_and_clear();
     let bytes = png_bytes(&Picture::from(picture?), Depth::Eight)?;
     let time = started.elapsed();
+    if to_output {
+        return Ok(out.write_all(&bytes)?);
+    }
     files::write(file, &bytes)?;
     report(args, &Done { entry, pattern: &pattern, kernel: &kernel, file, time }, out)
 }
@@ -149,18 +164,6 @@ fn list(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
 /// Whether a film can use that kernel.
 fn finite(name: &str) -> bool {
     kernels::by_name(name).is_ok_and(|kernel| kernel.radius().is_finite())
-}
-
-/// Asked before the work: a folder that is there, and no file that would be lost.
-fn writable(file: &Path, force: bool) -> Result<(), Failure> {
-    let trouble = |why: &str| Err(Failure::trouble(file.display(), why));
-    let folder = file.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    match () {
-        () if !folder.is_dir() => trouble("its folder does not exist"),
-        () if file.is_dir() || file.file_name().is_none() => trouble("is a folder"),
-        () if file.exists() && !force => trouble("exists already; --force replaces it"),
-        () => Ok(()),
-    }
 }
 
 fn progress(rows: usize) -> ProgressBar {

@@ -75,7 +75,7 @@ pub fn shutter(frequency: f64, tau: f64, expected: f64) -> Result<Residual> {
     };
     // the mean is real and even: the whole amplitude shows at t = 0, and nothing a quarter period later
     let ((top, error), (zero, other)) = (exposed(0.0), exposed(0.25 / frequency));
-    let law = format!("a shutter of {tau} keeps sinc(fτ) of a tone at {frequency}");
+    let law = format!("a shutter of {tau:.3} keeps sinc(fτ) of a tone at {frequency:.3}");
     Ok(Residual::at_most(law, (top - expected).abs().max(zero.abs()), error.max(other) + 4.0 * f64::EPSILON))
 }
 

@@ -3,7 +3,7 @@
 use crate::error::{Error, Result, unknown};
 use crate::num::random::{bits, uniform};
 use crate::pattern::cells::within_cell;
-use crate::pattern::padded::Padded;
+use crate::pattern::padded::{Association, Padded};
 use crate::pattern::permutation::permutation;
 use crate::pattern::random::Random;
 use crate::pattern::{Pattern, catalog};
@@ -63,9 +63,9 @@ impl<P: Pattern<2>> Pattern<5> for Grouped<P> {
     }
 }
 
-/// The names of all patterns for image, time and lens: `padded`, and those of the [catalogue](catalog).
+/// The names of all patterns for image, time and lens: `padded`, `padded-in-order`, and those of the [catalogue](catalog).
 pub fn names() -> impl Iterator<Item = &'static str> {
-    std::iter::once("padded").chain(catalog::names())
+    ["padded", "padded-in-order"].into_iter().chain(catalog::names())
 }
 
 /// The pattern of that name for image, time and lens, with `count` samples: [`Padded`], independent points in all five
@@ -84,6 +84,7 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 pub fn by_name(name: &str, count: usize) -> Result<Box<dyn Pattern<5>>> {
     match name {
         "padded" => Ok(Box::new(Padded::with_count(count)?)),
+        "padded-in-order" => Ok(Box::new(Padded::with_count(count)?.associated(Association::InOrder))),
         "random" => Ok(Box::new(Random::new(count)?)),
         _ => match catalog::by_name(name, count) {
             Ok(plane) => Ok(Box::new(Grouped::new(plane))),

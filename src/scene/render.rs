@@ -64,8 +64,13 @@ pub fn render_watched(
     watch: impl Fn() + Sync + Send,
 ) -> Result<Rgb> {
     most("the number of pixels of a picture", [width, height], MOST_PIXELS)?;
-    most("the number of samples in a row of pixels", [width, pattern.count().unwrap_or(1)], MOST_IN_A_ROW)?;
     let film = Film::new(Grid::pixels(width, height)?, kernel)?;
+    let wide = width + 2 * film.reach();
+    most(
+        "the number of samples in a row of pixels and beside it",
+        [wide, pattern.count().unwrap_or(1)],
+        MOST_IN_A_ROW,
+    )?;
     let reach = film.reach() as i64;
     // a pixel in heights of the picture, and where the picture's middle is
     let (pixel, middle) = ((height as f64).recip(), [0.5 * width as f64, 0.5 * height as f64]);

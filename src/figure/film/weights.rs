@@ -175,7 +175,7 @@ fn weights(params: &Params) -> Result<Figure> {
     let found = found.into_iter().collect::<Result<Vec<_>>>()?;
     let bias = Panel::new(
         "bias",
-        text!("bias: tent, L = x^{{2}}", "смещение: tent, L = x^{{2}}"),
+        text!("bias: tent, L = x^{{2}}", "смещение: треугольник, L = x^{{2}}"),
         Scale::log(text!("samples K", "отсчётов K"), 3.0, 43.0).ticks(counts.map(|k| (k as f64, text!("{k}", "{k}")))),
         Scale::log(Text::EMPTY, 1.2e-3, 5e-2),
     )

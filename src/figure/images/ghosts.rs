@@ -162,7 +162,11 @@ fn area(period: usize) -> Result<Figure> {
     let mut plot = Panel::new(
         "contrast",
         text!("contrast of the rings to the right of the centre", "контраст колец справа от центра"),
-        Scale::linear(text!("local frequency ν, periods per pixel", "местная частота ν, периодов на пиксель"), 0.0, end),
+        Scale::linear(
+            text!("local frequency ν, periods per pixel", "местная частота ν, периодов на пиксель"),
+            0.0,
+            end,
+        ),
         Scale::linear(Text::EMPTY, -0.3, 1.15),
     )
     .span(3)

@@ -138,7 +138,7 @@ fn plate(radius: f64) -> Result<Figure> {
     let samples = Image::of(&field, Grid::new(axis, axis)?);
     let bins = forward(&samples);
     let backs = [
-        Back::of(&samples, "box", text!("box", "box-ядро"), &BoxKernel)?,
+        Back::of(&samples, "box", text!("box", "прямоугольник"), &BoxKernel)?,
         Back::of(&samples, "tent", text!("tent", "треугольник"), &TentKernel)?,
         Back::of(&samples, "mitchell", text!("Mitchell", "Митчелл"), &Cubic::mitchell())?,
         Back::of(&samples, "kaiser", text!("wide Kaiser sinc", "широкий sinc Кайзера"), &Kaiser::new(radius, BETA)?)?,

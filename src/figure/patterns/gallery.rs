@@ -248,7 +248,7 @@ fn measures(params: &Params) -> Result<Figure> {
         _ => (256, 30),
     };
     let side = (n as f64).sqrt() as usize;
-    let (mut places, mut errors, mut farthest) = (Vec::new(), Vec::new(), 0.0f64);
+    let (mut places, mut errors, mut apart_errors, mut farthest) = (Vec::new(), Vec::new(), Vec::new(), 0.0f64);
     for (name, _) in &MEASURED {
         let pattern = by_name(name, n)?;
         let sets: Vec<_> = (0..trials).map(|trial| pattern.points(pattern_seed(seed, trial))).collect();
@@ -256,7 +256,8 @@ fn measures(params: &Params) -> Result<Figure> {
         let apart =
             sets.iter().map(|p| Ok(min_distance_torus(p)? / most_distance(p.len()))).collect::<Result<Vec<_>>>()?;
         farthest = apart.iter().copied().fold(farthest, f64::max);
-        let ([d, d_error], [r, _]) = (mean(&even), mean(&apart));
+        let ([d, d_error], [r, r_error]) = (mean(&even), mean(&apart));
+        apart_errors.push(r_error);
         places.push([d, r]);
         errors.push(d_error);
     }
@@ -283,7 +284,9 @@ fn measures(params: &Params) -> Result<Figure> {
         .with(labels("names", &panel, 60.0, &places, &names));
     let of = |name| Ok(by_name(name, n)?.points(pattern_seed(seed, 0)));
     let z = for_all_seeds(1);
-    let [random, jitter] = ["random", "jittered"].map(index);
+    let [random, jitter, net, disks] = ["random", "jittered", "sobol-owen", "poisson-disk"].map(index);
+    let even = (places[net][0] + z * errors[net]) / (places[disks][0] - z * errors[disks]);
+    let apart = (places[net][1] + z * apart_errors[net]) / (places[disks][1] - z * apart_errors[disks]);
     Ok(Figure::new(1)
         .with(filled)
         .claim(
@@ -312,6 +315,21 @@ fn measures(params: &Params) -> Result<Figure> {
             Residual::at_most(
                 "D* of jitter < D* of random points, with the statistical error",
                 (places[jitter][0] + z * errors[jitter]) / (places[random][0] - z * errors[random]),
+                1.0,
+            ),
+        )
+        .claim(
+            text!(
+                "even or apart, not both: Owen's Sobol' points have D* = {}, disks {}; their distances are {} and {}",
+                "либо равномерно, либо порознь: у точек Соболя с Оуэном D* = {}, у дисков {}; расстояния {} и {}",
+                number(places[net][0], 2),
+                number(places[disks][0], 2),
+                number(places[net][1], 2),
+                number(places[disks][1], 2)
+            ),
+            Residual::at_most(
+                "the net more even, the disks farther apart, with the statistical error",
+                even.max(apart),
                 1.0,
             ),
         )

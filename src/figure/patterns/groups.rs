@@ -127,7 +127,7 @@ fn groups(seed: u64) -> Result<Figure> {
     let all = (0.0, 24.0);
     let pairings = Panel::new(
         "pairings",
-        text!("576 pairings, equally often", "576 связей, равно часто"),
+        text!("576 pairings, equally often", "576 связей, одинаково часто"),
         Scale::linear(text!("association with the lens", "связь с линзой"), 0.0, 24.0),
         Scale::linear(text!("with the time", "со временем"), 0.0, 24.0),
     )

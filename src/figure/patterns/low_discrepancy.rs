@@ -81,7 +81,7 @@ fn inverse(m: u32) -> Result<Figure> {
         .claim(
             text!(
                 "Halton: the first {} points, one in each of {a} × {b} boxes; D* = {}",
-                "Холтон: первые {} точек — по одной в каждом из {a} × {b} ящиков; D* = {}",
+                "Холтон: из первых точек (их {}) — по одной в каждом из {a} × {b} ящиков; D* = {}",
                 a * b,
                 number(d_halton, 3)
             ),

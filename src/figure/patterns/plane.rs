@@ -95,11 +95,11 @@ const JITTERED: Entry = Entry {
     title: &Text::fixed("Jitter in the plane", "Джиттер на плоскости"),
     caption: &Text::fixed(
         "Every point is moved at random within its cell. The mean power spectrum of such patterns is 1 − sinc²u·sinc²v, with \
-         frequencies in cycles per cell: all spikes of the grid but the one at zero are gone, and their power has become \
-         noise, little of it near zero, all of it beyond.",
+         frequencies in cycles per cell: with jitter over whole cells all spikes of the grid but the one at zero are gone, and \
+         their power has become noise, little of it near zero and all of it beyond.",
         "Каждая точка случайно сдвинута в пределах своей ячейки. Средний спектр мощности таких узоров равен \
-         1 − sinc²u·sinc²v, частоты — в периодах на ячейку: все пики сетки, кроме нулевого, исчезли, их мощность стала \
-         шумом, которого мало вблизи нуля и который полон вдали.",
+         1 − sinc²u·sinc²v, частоты — в периодах на ячейку: при сдвигах по всей ячейке исчезли все пики сетки, кроме \
+         нулевого. Их мощность стала шумом: вблизи нуля его мало, вдали он достигает единицы.",
     ),
     params: &[Param::real("a", &AMOUNT, 1.0, 0.05, 1.0, ""), Param::count("seed", &SEED, 1, 1, SEEDS)],
     build: |params| jittered(params),

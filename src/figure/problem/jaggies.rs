@@ -124,7 +124,7 @@ fn jaggies(params: &Params) -> Result<Figure> {
             .claim(
                 text!(
                     "at {}° the mean step is {} pixels long, cot θ",
-                    "при {}° средняя ступень имеет длину {} пикселей, cot θ",
+                    "при {}° средняя длина ступени в пикселях {}, cot θ",
                     number(degrees, 3),
                     number(edge.mean(), 4)
                 ),
@@ -134,7 +134,7 @@ fn jaggies(params: &Params) -> Result<Figure> {
             .claim(
                 text!(
                     "at {}° every step is {} or {} pixels long",
-                    "при {}° каждая ступень — {} или {} пикселя",
+                    "при {}° длина каждой ступени в пикселях {} или {}",
                     number(degrees, 3),
                     number(edge.cot.floor(), 3),
                     number(edge.cot.ceil(), 3)

@@ -104,7 +104,7 @@ fn moire(params: &Params) -> Result<Figure> {
         .claim(
             text!(
                 "the samples repeat exactly after {} pixels across and down: {} ghosts are in the picture",
-                "отсчёты в точности повторяются через {} пикселей по обеим осям: на картинке {} ложных центров",
+                "отсчёты в точности повторяются с периодом M = {} по обеим осям; ложных центров на картинке: {}",
                 number(m, 3),
                 ghosts.len()
             ),

@@ -77,7 +77,7 @@ fn synthesis(depth: f64) -> Result<Figure> {
         .claim(
             text!(
                 "all {} samples of the two scenes are equal, bit for bit",
-                "все {} отсчётов двух сцен равны бит в бит",
+                "отсчёты двух сцен (их {}) равны бит в бит",
                 SIDE * SIDE
             ),
             Residual::at_most("samples of one scene − samples of the other", apart, 0.0),

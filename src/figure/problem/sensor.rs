@@ -104,8 +104,6 @@ fn sensor(params: &Params) -> Result<Figure> {
         radial.iter().fold([0.0; 2], |best, r| if r.power > best[1] { [r.frequency / unit, r.power] } else { best });
     let beyond = radial.iter().filter(|r| r.frequency > 3.0 * unit);
     let ripple = beyond.map(|r| (r.power - 1.0).abs()).fold(0.0, f64::max);
-    // the ring peaks where a row of touching discs would: between 1 and the hexagonal lattice's 2/√3
-    let hexagonal = (2.0 / 3f64.sqrt()).sqrt();
     Ok(Figure::new(3)
         .with(layout(
             "lattice",
@@ -144,8 +142,12 @@ fn sensor(params: &Params) -> Result<Figure> {
                 "кольцо стоит чуть дальше одного периода на рецептор, мощность {} от белого шума",
                 number(top[1], 2)
             ),
-            // a hexagonal lattice of as many points has its first peaks at √(2/√3)
-            Residual::near("place of the ring", top[0], hexagonal, 1.0 / unit),
+            // found in rings one frequency wide, so to half a ring to either side
+            Residual::at_most(
+                "place of the ring, beyond 1.0 … 1.3 (V21)",
+                (1.0 - top[0]).max(top[0] - 1.3),
+                0.5 / unit,
+            ),
         )
         .claim(
             text!(
@@ -164,10 +166,10 @@ const PIXELS: Entry = Entry {
     caption: &Text::fixed(
         "Light with a fine grating in it. A renderer reads it at points, and the grating comes back whole as a slow wave. \
          A sensor integrates over the width aT of its pixels: that is the box prefilter, followed by point samples, with \
-         the transfer sinc(aν). A full pixel nearly stops the grating, but even at Nyquist it lets 0.64 through.",
+         the transfer sinc(aν). A full pixel stops what has the frequency 1, but of a tone at Nyquist it lets 0.64 through.",
         "Свет с мелкой решёткой. Рендерер читает его в точках, и решётка целиком возвращается медленной волной. Сенсор \
          интегрирует по ширине aT своих пикселей: это прямоугольный предфильтр, а затем точечные отсчёты, с передачей \
-         sinc(aν). Полный пиксель почти гасит решётку, но и на частоте Найквиста пропускает 0,64.",
+         sinc(aν). Полный пиксель гасит частоту 1, но тон на частоте Найквиста пропускает на 0,64.",
     ),
     params: &[Param::real("a", &FILL, 1.0, 0.2, 1.0, "T"), Param::real("f", &FINE, 0.9, 0.6, 1.4, "cycles per pixel")],
     build: pixels,
@@ -249,7 +251,7 @@ fn pixels(params: &Params) -> Result<Figure> {
             .with(Layer::curve("transfer", Meaning::Kernel, 0.0, top, 2, |_| 1.0));
     let named = |(above, width): (f64, f64)| {
         let gain = sinc(0.5 * width);
-        ([1.55, gain + above], text!("a = {}: {gain:.2}", "a = {}: {gain:.2}", number(width, 2)))
+        ([1.65, gain + above], text!("a = {}: {gain:.2}", "a = {}: {gain:.2}", number(width, 2)))
     };
     let closed = Panel::new(
         "transfer",
@@ -261,7 +263,7 @@ fn pixels(params: &Params) -> Result<Figure> {
     .with(Layer::curve("half", Meaning::Guide, 0.0, top, PIECES, |nu| sinc(0.5 * a * nu).abs()).dashed())
     .with(Layer::curve("transfer", Meaning::Kernel, 0.0, top, PIECES, |nu| sinc(a * nu).abs()).thick())
     .with(Layer::dots("at-nyquist", Meaning::Kernel, [[0.5, sinc(0.5 * a)], [0.5, sinc(0.25 * a)]]))
-    .with(Layer::notes("gains", Meaning::Kernel, [(0.02, a), (0.12, 0.5 * a)].map(named)));
+    .with(Layer::notes("gains", Meaning::Kernel, [(0.0, a), (0.09, 0.5 * a)].map(named)));
     let plain =
         |panel: Panel| Panel { layers: panel.layers.into_iter().map(|l| l.label(Text::EMPTY)).collect(), ..panel };
 

@@ -23,12 +23,12 @@ const STROBING: Entry = Entry {
     errata: &[],
     title: &Text::fixed("Sampling problems: strobing", "Проблемы сэмплирования: стробирование"),
     caption: &Text::fixed(
-        "A wheel of eight equal spokes at 2.9 turns a second, filmed with 24 frames a second: from frame to frame the \
-         blue spoke runs on by almost one spoke's distance. The eye takes the nearest one (red) for it, and the wheel \
-         creeps backwards. A shutter that stays open half of the time blurs the spokes but leaves most of the alias.",
-        "Колесо с восемью одинаковыми спицами, 2,9 оборота в секунду, 24 кадра в секунду: от кадра к кадру синяя спица \
-         проходит почти расстояние между спицами. Глаз принимает за неё ближайшую (красную), и колесо ползёт назад. \
-         Затвор, открытый половину времени, смазывает спицы, но бо́льшая часть алиаса остаётся.",
+        "A wheel with equal spokes, filmed with 24 frames a second. From frame to frame the blue spoke runs on; the eye \
+         takes the nearest one (red) for it. Eight spokes at 2.9 turns a second run on by almost one spoke's distance: the \
+         wheel creeps backwards. A shutter that stays open half of the time blurs the spokes but leaves most of the alias.",
+        "Колесо с одинаковыми спицами, 24 кадра в секунду. От кадра к кадру синяя спица уходит вперёд, а глаз принимает за \
+         неё ближайшую (красную). Восемь спиц при 2,9 оборота в секунду проходят почти расстояние между спицами, и колесо \
+         ползёт назад. Затвор, открытый половину времени, смазывает спицы, но бо́льшая часть алиаса остаётся.",
     ),
     params: &[Param::real("turns", &TURNS, 2.9, 0.3, 6.2, "1/s"), Param::count("spokes", &SPOKES, 8, 3, 12)],
     build: strobing,
@@ -144,7 +144,7 @@ fn strobing(params: &Params) -> Result<Figure> {
         .claim(
             text!(
                 "{} spokes a second, {} frames: the spokes are seen at {} a second",
-                "{} спиц в секунду, {} кадра: видны {} спицы в секунду",
+                "спицы в секунду: {}, кадры: {}; видимые спицы в секунду: {}",
                 number(frequency, 4),
                 number(RATE, 2),
                 number(alias.signed(), 3)
@@ -154,7 +154,7 @@ fn strobing(params: &Params) -> Result<Figure> {
         .claim(
             text!(
                 "the wheel makes {} turns a second and seems to make {}",
-                "колесо делает {} оборота в секунду, а кажется, что {}",
+                "обороты колеса в секунду: {}, а видны: {}",
                 number(turns, 3),
                 number(apparent, 3)
             ),
@@ -162,11 +162,19 @@ fn strobing(params: &Params) -> Result<Figure> {
             Residual::at_most("apparent speed = folded speed", (seconds - seconds.round()).abs(), rounding),
         )
         .claim(
-            text!(
-                "a shutter open half of the time leaves sinc(f·τ) = {} of the spokes, and all of that aliases",
-                "затвор, открытый половину времени, оставляет sinc(f·τ) = {} от спиц, и всё это — алиас",
-                number(sinc(frequency * OPEN), 3)
-            ),
+            if frequency > 0.5 * RATE {
+                text!(
+                    "a shutter open half of the time leaves sinc(f·τ) = {} of the spokes, and all of that aliases",
+                    "затвор, открытый половину времени, оставляет sinc(f·τ) = {} от спиц, и всё это — алиас",
+                    number(sinc(frequency * OPEN), 3)
+                )
+            } else {
+                text!(
+                    "a shutter open half of the time leaves sinc(f·τ) = {} of the spokes: slow enough, no alias",
+                    "затвор, открытый половину времени, оставляет sinc(f·τ) = {} от спиц: частота мала, алиаса нет",
+                    number(sinc(frequency * OPEN), 3)
+                )
+            },
             shutter(frequency, OPEN, sinc(frequency * OPEN))?,
         )
         .moving(motion(turns, spokes, &path), 12))

@@ -32,11 +32,11 @@ const TILTED: Entry = Entry {
     errata: &["E11"],
     title: &Text::fixed("A tilted square: how many samples, and where", "Наклонный квадрат: сколько отсчётов и где"),
     caption: &Text::fixed(
-        "A square tilted by 20° and by 2°, with n×n samples a pixel averaged; the number is the RMSE to the exact coverage. \
-         At 20° a regular grid does best: the edge meets its samples one by one. At 2° it meets a whole row at once, so that \
+        "A tilted square, with n×n samples a pixel averaged; the number is the RMSE to the exact coverage. At \
+         20° a regular grid does best: the edge meets its samples one by one. At 2° it meets a whole row at once, so that \
          n×n samples give little more than n + 1 greys, and stairs; jittered samples give all greys, and with 7×7 the smaller \
          error: which is better depends on the scene.",
-        "Квадрат под углом 20° и 2°, среднее n×n отсчётов на пиксель; число — СКО от точного покрытия. При 20° лучше \
+        "Наклонённый квадрат, среднее n×n отсчётов на пиксель; число — СКО от точного покрытия. При 20° лучше \
          всего регулярная сетка: граница встречает её отсчёты по одному. При 2° — сразу целый ряд: n×n отсчётов дают чуть \
          больше n + 1 градаций и ступени; отсчёты с джиттером дают все градации, а при 7×7 и меньшую ошибку. Что лучше, \
          зависит от сцены.",

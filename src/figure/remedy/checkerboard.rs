@@ -35,8 +35,13 @@ const UNIFORM: Entry = Entry {
          супер-сэмплинг сглаживает края, но у него свои ложные узоры, ближе к горизонту: в строке, где клетки идут с \
          частотой отсчётов (пунктир), все отсчёты пикселя видят один цвет.",
     ),
-    params: &[Param::count("n", &COUNT, 4, 2, 8)],
-    build: |params| uniform(params.count("n")),
+    // with these the ghosts' rows fall where whole rows of pixels show them
+    params: &[Param::choice("n", &COUNT, &["4", "2", "8"])],
+    build: |params| match params.choice("n") {
+        "2" => uniform(2),
+        "8" => uniform(8),
+        _ => uniform(4),
+    },
 };
 
 /// The pixels right of the middle: below the first row they see one row of squares only, `⌊u⌋ = 0`.
@@ -54,16 +59,20 @@ fn ghost_height(m: usize) -> f64 {
     (0.5 * ghost_row(m) / m as f64).sqrt()
 }
 
-/// The middle of the longest run of equal samples down the middle line, where they are `1/m` apart and too coarse: beyond
-/// the rows that twice the rate would resolve, on this side of those with another ghost.
-fn longest_run(board: &Board, m: usize) -> f64 {
+/// From where to where the longest run of equal samples down the middle line goes, where they are `1/m` apart and too
+/// coarse: beyond the rows that twice the rate would resolve, on this side of those with another ghost. A sample stands
+/// for half a step to either side.
+fn longest_run(board: &Board, m: usize) -> [f64; 2] {
     let (step, row) = (1.0 / m as f64, ghost_row(m));
     let inside = |y: &f64| (row / 2f64.sqrt()..row * 2f64.sqrt()).contains(y);
     let places = (0..SIDE * m).map(|k| (k as f64 + 0.5) * step).filter(inside);
     let seen: Vec<[f64; 2]> = places.map(|y| [y, board.scene.at(MIDDLE as f64 + 0.5 * step, y)]).collect();
     let runs = seen.chunk_by(|a, b| a[1] == b[1]);
     let longest = runs.max_by_key(|run| run.len()).unwrap_or_default();
-    longest.iter().map(|s| s[0]).sum::<f64>() / longest.len() as f64
+    match (longest.first(), longest.last()) {
+        (Some(first), Some(last)) => [first[0] - 0.5 * step, last[0] + 0.5 * step],
+        _ => [f64::NAN; 2],
+    }
 }
 
 fn uniform(n: usize) -> Result<Figure> {
@@ -99,22 +108,22 @@ fn uniform(n: usize) -> Result<Figure> {
         .claim(
             text!(
                 "an edge would gain a factor {n} from {n} × {n} samples; the picture gains only {}: its ghosts stay",
-                "на одном крае {n} × {n} отсчётов дали бы выигрыш в {n} раз; картинка выигрывает лишь в {} раза: узоры остаются",
+                "на одном крае {n} × {n} отсчётов дали бы выигрыш {n}; у картинки он лишь {}: узоры остаются",
                 number(one / many, 3)
             ),
             Residual::at_least("n times the error of n × n samples", n as f64 * many, one),
         );
     for m in [1, n, 2 * n] {
-        let (row, found) = (ghost_row(m), longest_run(&board, m));
+        let (row, [from, to]) = (ghost_row(m), longest_run(&board, m));
         figure = figure.claim(
             text!(
-                "{m} samples a pixel: expected at row {}, the longest run of equal samples is around row {}",
-                "отсчётов на сторону пикселя {m}: ложный узор ожидается в строке {}, самая длинная серия равных — около {}",
+                "{m} samples a pixel: expected at row {}; the longest run of equal samples goes from row {} to {}",
+                "отсчётов на сторону пикселя {m}: ложный узор ожидается в строке {}; самая длинная серия равных — от {} до {}",
                 number(row, 3),
-                number(found, 3)
+                number(from, 3),
+                number(to, 3)
             ),
-            // the run is nowhere farther than its half height and a sample
-            Residual::near("row of the ghost", found, row, ghost_height(m) + 1.0 / m as f64),
+            Residual::at_most("the ghost's row, outside the longest run", (from - row).max(row - to), 0.0),
         );
     }
     Ok(figure.claim(
@@ -190,6 +199,8 @@ fn area(n: usize) -> Result<Figure> {
     let known = |y: f64| 0.5 - 0.5 * mean_of_squares(y - 0.5, y + 0.5);
     let worst = exact_pixels.iter().map(|p| (p[1] - known(p[0])).abs()).fold(0.0, f64::max);
     let beyond = exact_pixels.iter().filter(|p| p[0] + 0.5 <= nyquist);
+    let lowest = |p: &[f64; 2]| 0.25 * SIDE as f64 / (p[0] + 0.5).powi(2);
+    let grey = beyond.clone().map(|p| (p[1] - 0.5).abs() * 4.0 * lowest(p)).fold(0.0, f64::max);
     let strongest =
         beyond.max_by(|a, b| (a[1] - 0.5).abs().total_cmp(&(b[1] - 0.5).abs())).copied().unwrap_or([0.5; 2]);
     let counted = [[60.0, 32.0], [3.0, 21.0], [90.0, 12.0], [64.0, 9.0], [127.0, 5.0]].map(|[x, y]| {
@@ -224,8 +235,16 @@ fn area(n: usize) -> Result<Figure> {
         )
         .claim(
             text!(
+                "towards the horizon exact area goes to grey as 1/4ν, without a ghost at the samples' rate",
+                "к горизонту точная площадь переходит в серый как 1/4ν, без ложного узора на частоте отсчётов"
+            ),
+            // alternating squares that grow downwards: their sum is at most the last, half a period of 1/2ν
+            Residual::at_most("|v − ½|·4ν beyond Nyquist, ν the pixel's lowest frequency", grey, 1.0),
+        )
+        .claim(
+            text!(
                 "exact area is a box: row {} is beyond Nyquist and still {} where grey is 0.5",
-                "точная площадь — бокс-фильтр: строка {} за Найквистом, а значение в ней {} вместо серого 0.5",
+                "точная площадь — бокс-фильтр: строка {} за Найквистом, а значение в ней {} вместо серого 0,5",
                 number(strongest[0] - 0.5, 2),
                 number(strongest[1], 3)
             ),
@@ -234,7 +253,7 @@ fn area(n: usize) -> Result<Figure> {
         .claim(
             text!(
                 "of a tone at 0.9 of the rate it keeps {}",
-                "от тона на 0.9 частоты дискретизации остаётся {}",
+                "от тона на 0,9 частоты дискретизации остаётся {}",
                 number(sinc(0.9), 4)
             ),
             area_gain(9, 10, sinc(0.9))?,

@@ -4,7 +4,7 @@
 use crate::error::Result;
 use crate::figure::common::unmarked;
 use crate::figure::params::Param;
-use crate::figure::remedy::board::{Board, ERRING, ROWS, SIDE, bins, error_power, map, whole};
+use crate::figure::remedy::board::{Board, ERRING, ROWS, SIDE, bins, enlarged, error_power, frame, map, whole};
 use crate::figure::remedy::stochastic::{DEVIATIONS, SEED};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use crate::image::Image;
@@ -14,7 +14,7 @@ use crate::pattern::measure::whiteness::{peak_to_mean, white_peak};
 use crate::pattern::regular::Regular;
 use crate::residual::Residual;
 use crate::text;
-use crate::text::{Text, number};
+use crate::text::{Lang, Text, number};
 use std::f64::consts::PI;
 
 /// The figures of this family.
@@ -96,7 +96,7 @@ fn reference(seed: u64) -> Result<Figure> {
         .claim(
             text!(
                 "from 1 to 256 rays the error falls {} times: more than √256 = 16, less than 256^{{3/4}} = 64",
-                "от 1 до 256 лучей ошибка падает в {} раз: больше, чем √256 = 16, и меньше, чем 256^{{3/4}} = 64",
+                "от 1 до 256 лучей отношение ошибок {}: больше, чем √256 = 16, и меньше, чем 256^{{3/4}} = 64",
                 number(one.mean.sqrt() / error, 2)
             ),
             Residual::near(
@@ -136,7 +136,7 @@ const ONE_RAY: Entry = Entry {
          root mean square error even rises. But the bright spots in the spectrum of the error (below, in multiples of the \
          mean) are gone, and with them the structure that the eye finds. Four jittered rays do reduce the error.",
         "Луч с джиттером превращает ложные клетки в шум. Ошибку он не уменьшает: при одном луче на пиксель \
-         среднеквадратичная ошибка даже растёт. Но яркие точки в спектре ошибки (внизу, в долях среднего) исчезают, а с \
+         среднеквадратичная ошибка даже растёт. Но яркие точки в спектре ошибки (внизу, в единицах среднего) исчезают, а с \
          ними структура, которую находит глаз. Четыре луча с джиттером уменьшают и ошибку.",
     ),
     params: &[Param::count("seed", &SEED, 1, 1, 100)],
@@ -160,9 +160,13 @@ fn one_ray(seed: u64) -> Result<Figure> {
         text!("1, jittered", "1, с джиттером"),
         text!("4, jittered", "4, с джиттером"),
     ];
-    let mut figure = Figure::new(3).heights([1.0, 0.9]);
-    for ((image, name), id) in images.iter().zip(&names).zip(["regular", "one", "four"]) {
-        figure = figure.with(whole(id, name.clone(), image));
+    let mut figure = Figure::new(3).heights([1.0, 0.8, 0.9]);
+    for (((image, name), id), error) in images.iter().zip(&names).zip(["regular", "one", "four"]).zip(errors) {
+        let [en, ru] = Lang::ALL.map(|lang| format!("{}: {}", name.get(lang), number(error, 3)));
+        figure = figure.with(whole(id, text!("{en}", "{ru}"), image).with(frame()));
+    }
+    for (image, id) in images.iter().zip(["regular-far", "one-far", "four-far"]) {
+        figure = figure.with(enlarged(id, image));
     }
     let mut peaks = Vec::new();
     for (image, id) in images.iter().zip(["regular-power", "one-power", "four-power"]) {
@@ -238,7 +242,7 @@ fn one_ray(seed: u64) -> Result<Figure> {
         .claim(
             text!(
                 "jittered: {} means on average over {PICTURES} pictures, as for white noise: ln {independent} + 0.58 = {}",
-                "с джиттером: в среднем по {PICTURES} картинкам {} средних, как у белого шума: ln {independent} + 0.58 = {}",
+                "с джиттером: в среднем по {PICTURES} картинкам {} средних, как у белого шума: ln {independent} + 0,58 = {}",
                 number(mean_peak, 2),
                 number(level + EULER, 3)
             ),

@@ -150,7 +150,11 @@ fn defocus(params: &Params) -> Result<Figure> {
             (-worst, worst),
         ))
         .claim(
-            text!("the circle of confusion is {} pixels", "ширина кружка нерезкости в пикселях: {}", number(confusion, 3)),
+            text!(
+                "the circle of confusion is {} pixels",
+                "ширина кружка нерезкости в пикселях: {}",
+                number(confusion, 3)
+            ),
             Residual::at_least("diameter of the circle of confusion in pixels", confusion, 10.0),
         )
         .claim(

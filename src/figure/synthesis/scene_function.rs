@@ -108,7 +108,7 @@ fn rays_panel(lens: &ThinLens, points: &[Followed]) -> Panel {
             [
                 ([-lens.focus(), 2.35], text!("plane in focus", "плоскость фокуса")),
                 ([0.0, 2.35], text!("lens (u, v)", "линза (u, v)")),
-                ([0.9, -1.55], text!("film (x, y)", "плёнка (x, y)")),
+                ([0.55, -1.55], text!("film (x, y)", "плёнка (x, y)")),
             ],
         ))
 }
