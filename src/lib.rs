@@ -102,6 +102,7 @@ mod parallel;
 pub mod pattern;
 #[cfg(feature = "plot")]
 pub mod plot;
+pub mod rate;
 pub mod reconstruct;
 pub mod residual;
 pub mod resolve;
