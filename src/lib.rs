@@ -123,6 +123,7 @@ pub mod prelude {
     pub use crate::comb::Comb;
     pub use crate::door::picture::{Color, Picture};
     pub use crate::door::srgb::{linear_to_srgb, srgb_to_linear};
+    pub use crate::door::wav::{Dither, Encoding, WavFormat, WavReader, WavWriter};
     #[cfg(feature = "files")]
     pub use crate::door::{Depth, Limits, png_bytes, read_picture};
     pub use crate::error::{Error, Result};
@@ -189,6 +190,7 @@ pub mod prelude {
     pub use crate::pattern::scrambling::Scrambling;
     pub use crate::pattern::sobol::Sobol;
     pub use crate::pattern::zero_two::ZeroTwo;
+    pub use crate::rate::{Converter, Quality, convert};
     pub use crate::reconstruct::{Reconstruction, reconstruct};
     pub use crate::residual::Residual;
     pub use crate::resolve::{Ends, Resolution, Resolved, resolve, resolve_up_to};

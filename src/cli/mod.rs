@@ -5,6 +5,7 @@ mod files;
 mod kernel;
 mod laws;
 mod points;
+mod resample;
 
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
@@ -41,6 +42,8 @@ enum Command {
     Kernel(kernel::Args),
     /// Write the points of a sample pattern, and draw their spectrum
     Points(points::Args),
+    /// Convert a WAV file to another sampling rate
+    Resample(resample::Args),
 }
 
 /// Why the exit code is not zero.
@@ -82,6 +85,7 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Laws(args)) => laws::run(&args, &mut out),
         Some(Command::Kernel(args)) => kernel::run(&args, &mut out),
         Some(Command::Points(args)) => points::run(&args, &mut out),
+        Some(Command::Resample(args)) => resample::run(&args, &mut out),
     };
     match done.and_then(|()| Ok(out.flush()?)) {
         Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,

@@ -62,7 +62,9 @@ impl Ratio {
             let convergent = (next(now.0, before.0)?, next(now.1, before.1)?);
             (before, now) = (now, convergent);
             let candidate = Self { up: now.0, down: now.1 }.simple()?;
-            if candidate.up > 0 && to * candidate.down as f64 == from * candidate.up as f64 {
+            // both rates may have been rounded, and both products; another fraction of such terms is 2⁻³⁶ away
+            let (above, below) = (to * candidate.down as f64, from * candidate.up as f64);
+            if (above - below).abs() <= 2.0 * f64::EPSILON * above {
                 return Some(candidate);
             }
             rest = 1.0 / (rest - whole);

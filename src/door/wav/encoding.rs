@@ -62,7 +62,7 @@ impl Encoding {
             Self::Int16 => values.extend(samples.map(|b| f64::from(i16::from_le_bytes([b[0], b[1]])) * step)),
             // as the upper three bytes of four, whose sign is in its place
             Self::Int24 => {
-                values.extend(samples.map(|b| f64::from(i32::from_le_bytes([0, b[0], b[1], b[2]]) >> 8) * step))
+                values.extend(samples.map(|b| f64::from(i32::from_le_bytes([0, b[0], b[1], b[2]]) >> 8) * step));
             }
             Self::Int32 => {
                 values.extend(samples.map(|b| f64::from(i32::from_le_bytes([b[0], b[1], b[2], b[3]])) * step));
@@ -71,7 +71,7 @@ impl Encoding {
                 values.extend(samples.map(|b| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]]))));
             }
             Self::Float64 => {
-                values.extend(samples.map(|b| f64::from_le_bytes([b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7]])))
+                values.extend(samples.map(|b| f64::from_le_bytes([b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7]])));
             }
         }
     }
