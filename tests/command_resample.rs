@@ -46,23 +46,25 @@ fn text(path: &Path) -> &str {
 
 fn wav(format: WavFormat, values: &[f64]) -> Vec<u8> {
     let frames = (values.len() / format.channels()) as u64;
-    let mut writer = WavWriter::new("memory", Vec::new(), format, Some(frames), Dither::None).unwrap();
-    writer.write(values).unwrap();
-    writer.finish().unwrap().0
+    let mut writer =
+        WavWriter::new("memory", Vec::new(), format, Some(frames), Dither::None).expect("the fixture is sound");
+    writer.write(values).expect("the fixture is sound");
+    writer.finish().expect("the fixture is sound").0
 }
 
 fn read(bytes: &[u8]) -> (WavFormat, Vec<f64>) {
-    let mut reader = WavReader::new("memory", bytes).unwrap();
+    let mut reader = WavReader::new("memory", bytes).expect("the fixture is sound");
     let mut values = Vec::new();
-    while reader.read(reader.block(), &mut values).unwrap() > 0 {}
+    while reader.read(reader.block(), &mut values).expect("the fixture is sound") > 0 {}
     (reader.format(), values)
 }
 
 /// A folder with a file of these values, and the names of input and output.
 fn folder(rate: u32, channels: u16, encoding: Encoding, values: &[f64]) -> (TempDir, PathBuf, PathBuf) {
-    let folder = TempDir::new().unwrap();
+    let folder = TempDir::new().expect("the fixture is sound");
     let (input, output) = (folder.path().join("in.wav"), folder.path().join("out.wav"));
-    fs::write(&input, wav(WavFormat::new(rate, channels, encoding).unwrap(), values)).unwrap();
+    fs::write(&input, wav(WavFormat::new(rate, channels, encoding).expect("the fixture is sound"), values))
+        .expect("the fixture is sound");
     (folder, input, output)
 }
 

@@ -12,7 +12,7 @@ Installs numpy, scipy and soxr by name into VENV (a temporary one if it is not g
 - pass-band: up to which fraction of the lower Nyquist frequency the gain is within 0.1 dB;
 - alias, near and far: the largest sample that tones beyond the lower Nyquist frequency leave, within 10 % of it and above.
 
-Tones last 20000 samples of the lower rate; 2000 at either end are not looked at. All samples are 64-bit floats.
+Tones last 20000 samples of the lower rate and up to the next half second; 2000 at either end are not looked at. All samples are 64-bit floats.
 """
 
 import os
@@ -63,6 +63,8 @@ def main():
         return convert
 
     def fourier(x, a, b):
+        if len(x) * b % a != 0:
+            return None
         return signal.resample(x, round(len(x) * b / a), axis=0)
 
     peers = [
@@ -77,7 +79,7 @@ def main():
     ]
 
     def tones(frequencies, rate, low):
-        t = np.arange(round(20_000 * rate / low))[:, None]
+        t = np.arange(round(np.ceil(40_000 / low) / 2 * rate))[:, None]
         # phases reduced before they are multiplied by 2π
         return np.sin(2 * np.pi * np.mod(t * (np.asarray(frequencies) / rate), 1.0) + 0.3)
 
