@@ -28,7 +28,7 @@ fn lengths_are_rounded_products() {
         assert_eq!(Ratio::new(from, to).unwrap().frames(n as u64), expected as u64);
     }
     // far beyond what floats count: 10¹⁵ frames
-    assert_eq!(Ratio::new(44_100.0, 48_000.0).unwrap().frames(441_000_000_000_000_7), 480_000_000_000_000_8);
+    assert_eq!(Ratio::new(44_100.0, 48_000.0).unwrap().frames(4_410_000_000_000_007), 4_800_000_000_000_008);
 }
 
 #[test]
