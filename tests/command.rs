@@ -139,6 +139,25 @@ fn a_stale_file_fails_the_check_and_a_fresh_one_passes_for_any_number_of_threads
 }
 
 #[test]
+fn a_figure_in_motion_is_also_an_animation_where_pixels_are_asked_for() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let out = folder.path().to_str().expect("the path is text");
+    let moving = folder.path().join("en/f03-strobing.apng");
+    assert_eq!(code(&nyquist(&["f03-strobing", "--out", out, "--format", "svg", "--lang", "en"])), 0);
+    assert!(!moving.exists());
+    assert_eq!(code(&nyquist(&["f03-strobing", "--out", out, "--format", "png,svg", "--lang", "en"])), 0);
+    let bytes = fs::read(&moving).expect("written");
+    assert!(bytes.len() < 1 << 20 && bytes.windows(4).any(|w| w == b"acTL"), "{} bytes", bytes.len());
+    assert_eq!(code(&nyquist(&["f03-strobing", "--out", out, "--check", "--lang", "en"])), 0);
+    fs::write(&moving, "stale").expect("written");
+    let output = nyquist(&["f03-strobing", "--out", out, "--check", "--lang", "en"]);
+    assert!(code(&output) == 1 && stderr(&output).contains("f03-strobing.apng differs"), "{}", stderr(&output));
+    let output = nyquist(&["f03-strobing", "--list", "--json"]);
+    let list: serde_json::Value = serde_json::from_slice(&output.stdout).expect("well-formed JSON");
+    assert_eq!(list[0]["motion"]["frames"], 30);
+}
+
+#[test]
 fn laws_print_what_was_measured_and_what_is_allowed() {
     let output = nyquist(&["laws", "alias-energy"]);
     assert_eq!(code(&output), 0);

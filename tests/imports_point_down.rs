@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 28] = [
+const FLOORS: [&str; 29] = [
     "error",
     "text",
     "num",
@@ -27,6 +27,7 @@ const FLOORS: [&str; 28] = [
     "film",
     "antialias",
     "door",
+    "scene",
     "beyond",
     "resolve",
     "laws",

@@ -9,7 +9,7 @@ use nyquist::plot::{Format, Theme};
 use nyquist::text::Lang;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
-use std::io::{IsTerminal, Write};
+use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 /// Compute figures, check their claims, write them as SVG, PNG and PDF.
@@ -24,7 +24,7 @@ pub(super) struct Args {
     /// The folder to write into
     #[arg(long, default_value = "figures", value_name = "DIR")]
     out: PathBuf,
-    /// File formats: svg, png, pdf
+    /// File formats: svg, png, pdf; with png, figures in motion are also written as ID.apng
     #[arg(long, value_delimiter = ',', default_value = "svg,png,pdf")]
     format: Vec<Format>,
     /// Languages of the labels: en, ru
@@ -51,7 +51,7 @@ pub(super) struct Args {
     /// With --list: as JSON, with captions, panels and measured claims
     #[arg(long, requires = "list")]
     json: bool,
-    /// Compare the SVGs and the index in DIR with what is computed instead of writing: exit code 1 if any differs
+    /// Compare the SVGs, the animations and the index in DIR with what is computed instead of writing: exit code 1 if any differs
     #[arg(long, conflicts_with_all = ["list", "set", "data"])]
     check: bool,
 }
@@ -85,7 +85,7 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.jobs.map_or(0, usize::from));
     let pool = pool.build().map_err(|error| Failure::trouble("cannot start threads", error))?;
     if args.list {
-        let nothing = Options { formats: Vec::new(), ..Options::default() };
+        let nothing = Options { formats: Vec::new(), motion: false, ..Options::default() };
         let computed = pool.install(|| compute(&entries, &args.set, &nothing, &ProgressBar::hidden()))?;
         write!(out, "{}", index::json(pairs(&computed)))?;
         return Ok(());
@@ -96,6 +96,7 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
         theme: args.theme,
         title: !args.no_title,
         data: args.data,
+        motion: args.check || args.format.contains(&Format::Png),
     };
     let progress = progress(entries.len());
     let computed = pool.install(|| compute(&entries, &args.set, &options, &progress))?;
@@ -173,13 +174,19 @@ fn report(computed: &[Rendered]) -> usize {
     failed
 }
 
-/// Every file must be there with the same bytes, and no other SVG may lie about in the given folders.
+fn is_animation(path: &Path) -> bool {
+    path.extension().is_some_and(|e| e == "apng")
+}
+
+/// Every file must be there with the same bytes (an animation: if it is there), and no other SVG or animation may lie about in the given folders.
 fn check(out: &Path, files: &[File], folders: Vec<PathBuf>) -> Result<(), Failure> {
     let mut stale = Vec::new();
     for file in files {
         match std::fs::read(out.join(&file.path)) {
             Ok(bytes) if bytes == file.bytes => {}
             Ok(_) => stale.push(format!("{} differs", file.path.display())),
+            // an animation is there only where pixels were asked for
+            Err(error) if is_animation(&file.path) && error.kind() == ErrorKind::NotFound => {}
             Err(error) => stale.push(format!("{}: {error}", file.path.display())),
         }
     }
@@ -189,7 +196,10 @@ fn check(out: &Path, files: &[File], folders: Vec<PathBuf>) -> Result<(), Failur
         for name in found.flatten().map(|f| f.file_name()) {
             let path = folder.join(&name);
             let variant = name.to_string_lossy().contains('@');
-            if path.extension().is_some_and(|e| e == "svg") && !variant && !known.contains(path.as_path()) {
+            if path.extension().is_some_and(|e| e == "svg" || e == "apng")
+                && !variant
+                && !known.contains(path.as_path())
+            {
                 stale.push(format!("{} belongs to no figure", path.display()));
             }
         }

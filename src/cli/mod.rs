@@ -5,6 +5,7 @@ mod files;
 mod kernel;
 mod laws;
 mod points;
+mod render;
 mod resample;
 
 use clap::{Parser, Subcommand};
@@ -30,7 +31,8 @@ const AFTER: &str = "Exit codes: 0 done, 1 a check failed, 2 usage or input/outp
 Examples:
   nyquist                                  every figure, into figures/
   nyquist f28-leak --set T=0.9             one figure with another step
-  nyquist laws                             every theorem, measured against its bound";
+  nyquist laws                             every theorem, measured against its bound
+  nyquist render spheres -o spheres.png    a scene, sampled in five dimensions";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -42,6 +44,8 @@ enum Command {
     Kernel(kernel::Args),
     /// Write the points of a sample pattern, and draw their spectrum
     Points(points::Args),
+    /// Render a scene through lens and shutter into a PNG
+    Render(render::Args),
     /// Convert a WAV file to another sampling rate
     Resample(resample::Args),
 }
@@ -85,6 +89,7 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Laws(args)) => laws::run(&args, &mut out),
         Some(Command::Kernel(args)) => kernel::run(&args, &mut out),
         Some(Command::Points(args)) => points::run(&args, &mut out),
+        Some(Command::Render(args)) => render::run(&args, &mut out),
         Some(Command::Resample(args)) => resample::run(&args, &mut out),
     };
     match done.and_then(|()| Ok(out.flush()?)) {

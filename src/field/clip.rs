@@ -42,7 +42,7 @@ pub(super) fn coverage([[x0, x1], [y0, y1]]: [[f64; 2]; 2], sides: &[Side]) -> f
 }
 
 /// The polygon's part within one side.
-fn clipped(polygon: &[[f64; 2]], side: Side) -> Vec<[f64; 2]> {
+pub(super) fn clipped(polygon: &[[f64; 2]], side: Side) -> Vec<[f64; 2]> {
     let mut kept = Vec::with_capacity(polygon.len() + 2);
     let mut previous = polygon[polygon.len() - 1];
     let mut before = side.outside(previous);

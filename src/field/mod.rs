@@ -10,7 +10,7 @@
 //! | [`Grating`](grating::Grating), [`Plaid`](plaid::Plaid) | yes | lines |
 //! | [`GaussianSpot`](spot::GaussianSpot) | yes | density |
 //! | [`ZonePlate`](zone_plate::ZonePlate) | yes, by Fresnel integrals | |
-//! | [`SiemensStar`](star::SiemensStar), [`ConvexPolygon`](polygon::ConvexPolygon), [`HalfPlane`](half_plane::HalfPlane), [`ThinLine`](line::ThinLine), [`Glyphs`](glyphs::Glyphs) | yes, by clipping | |
+//! | [`SiemensStar`](star::SiemensStar), [`ConvexPolygon`](polygon::ConvexPolygon), [`Outline`](outline::Outline), [`HalfPlane`](half_plane::HalfPlane), [`ThinLine`](line::ThinLine), [`Glyphs`](glyphs::Glyphs) | yes, by clipping | |
 //! | [`Disc`](disc::Disc) | yes, by circular segments | |
 //! | [`Checks`](checks::Checks), [`BrickWall`](bricks::BrickWall) | yes, one axis at a time | |
 //! | [`Checkerboard`](checkerboard::Checkerboard) (in perspective) | yes, piece by piece | |
@@ -29,6 +29,7 @@ pub mod half_plane;
 pub mod line;
 pub mod moved;
 pub mod multiplied;
+pub mod outline;
 pub mod perspective;
 pub mod plaid;
 pub mod polygon;

@@ -1,7 +1,9 @@
 //! All figures, in the order of the lecture.
 
 use crate::error::{Result, unknown};
-use crate::figure::{Entry, alias, film, formal, further, patterns, problem, reconstruction, remedy, synthesis};
+use crate::figure::{
+    Entry, alias, film, formal, further, images, patterns, problem, reconstruction, remedy, synthesis,
+};
 
 /// The chapters, each with its families.
 static CHAPTERS: &[&[&[Entry]]] = &[
@@ -10,6 +12,7 @@ static CHAPTERS: &[&[&[Entry]]] = &[
     reconstruction::FAMILIES,
     alias::FAMILIES,
     remedy::FAMILIES,
+    images::FAMILIES,
     synthesis::FAMILIES,
     patterns::FAMILIES,
     film::FAMILIES,

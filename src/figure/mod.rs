@@ -7,6 +7,7 @@
 //! The folders are the chapters of the lecture, the files in them families of figures, and [`catalog`] knows them all.
 
 mod layer;
+mod motion;
 mod panel;
 pub mod params;
 
@@ -17,6 +18,7 @@ pub mod alias;
 pub mod film;
 pub mod formal;
 pub mod further;
+pub mod images;
 pub mod patterns;
 pub mod problem;
 pub mod reconstruction;
@@ -26,6 +28,7 @@ pub mod synthesis;
 pub mod catalog;
 
 pub use layer::{Layer, Mark, Meaning, Stroke, Tones};
+pub use motion::Motion;
 pub use panel::{Legend, Panel, Scale};
 
 use crate::residual::Residual;
@@ -42,12 +45,14 @@ pub struct Figure {
     pub heights: Vec<f64>,
     /// What the caption states, checked.
     pub claims: Vec<Claim>,
+    /// The same in motion, where a still picture does not do.
+    pub motion: Option<Motion>,
 }
 
 impl Figure {
     /// A figure without panels yet, in a grid of `columns` columns.
     pub fn new(columns: usize) -> Self {
-        Self { columns, panels: Vec::new(), heights: Vec::new(), claims: Vec::new() }
+        Self { columns, panels: Vec::new(), heights: Vec::new(), claims: Vec::new(), motion: None }
     }
 
     /// With one more panel.
@@ -68,6 +73,13 @@ impl Figure {
     #[must_use]
     pub fn claim(mut self, says: Text, residual: Residual) -> Self {
         self.claims.push(Claim { says, residual });
+        self
+    }
+
+    /// Also in motion: these frames, so many in a second.
+    #[must_use]
+    pub fn moving(mut self, frames: Vec<Figure>, rate: u16) -> Self {
+        self.motion = Some(Motion { frames, rate });
         self
     }
 

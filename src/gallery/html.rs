@@ -34,10 +34,15 @@ fn both(text: &Text) -> String {
 
 fn article(out: &mut String, entry: &Entry, figure: &Figure) {
     let id = entry.id;
-    let pictures = Lang::ALL.map(|l| {
-        let (code, alt) = (l.code(), escaped(entry.title.get(l)));
-        format!("<a lang=\"{code}\" href=\"{code}/{id}.svg\"><img loading=\"lazy\" src=\"{code}/{id}.svg\" alt=\"{alt}\"></a>")
-    });
+    let picture = |file: &str| {
+        let each = Lang::ALL.map(|l| {
+            let (code, alt) = (l.code(), escaped(entry.title.get(l)));
+            format!("<a lang=\"{code}\" href=\"{code}/{file}\"><img loading=\"lazy\" src=\"{code}/{file}\" alt=\"{alt}\"></a>")
+        });
+        each.concat()
+    };
+    let still = picture(&format!("{id}.svg"));
+    let moving = figure.motion.as_ref().map_or(String::new(), |_| picture(&format!("{id}.apng")));
     let chips: Vec<String> =
         [entry.inventory, entry.errata].concat().iter().map(|c| format!("<span class=\"chip\">{c}</span>")).collect();
     write!(
@@ -45,7 +50,7 @@ fn article(out: &mut String, entry: &Entry, figure: &Figure) {
         "<article id=\"{id}\">\n<h2>{}</h2>\n<p class=\"origin\"><code>{id}</code> {}</p>\n{}\n<p>{}</p>\n",
         both(entry.title),
         chips.join(" "),
-        pictures.concat(),
+        still + &moving,
         both(entry.caption)
     )
     .expect(INFALLIBLE);

@@ -41,12 +41,16 @@ pub fn entry(entry: &Entry, figure: &Figure) -> Value {
         })
         .collect();
     let panels: Vec<Value> = figure.panels.iter().map(|p| json!({ "name": p.name, "title": both(&p.title) })).collect();
-    json!({
+    let mut value = json!({
         "id": entry.id, "inventory": entry.inventory, "errata": entry.errata,
         "title": both(entry.title), "caption": both(entry.caption),
         "params": entry.params.iter().map(param).collect::<Vec<_>>(),
         "panels": panels, "claims": claims,
-    })
+    });
+    if let (Some(motion), Value::Object(value)) = (&figure.motion, &mut value) {
+        value.insert("motion".into(), json!({ "frames": motion.frames.len(), "rate": motion.rate }));
+    }
+    value
 }
 
 /// The whole index: an array in the order of the catalogue.

@@ -47,9 +47,13 @@ pub fn markdown<'a>(figures: impl IntoIterator<Item = (&'a Entry, &'a Figure)>) 
         let cell = |markup: &str| html(markup).replace('|', "\\|");
         let origin = [entry.inventory, entry.errata].concat().join(", ");
         let origin = if origin.is_empty() { String::new() } else { format!(" · {origin}") };
+        let moving = match figure.motion {
+            Some(_) => format!(" · in motion: [en](en/{id}.apng), [ru](ru/{id}.apng)", id = entry.id),
+            None => String::new(),
+        };
         write!(
             out,
-            "\n## {en}\n\n### {ru}\n\n`{id}`{origin} · [en](en/{id}.svg) · [ru](ru/{id}.svg)\n\n{caption_en}\n\n{caption_ru}\n\n\
+            "\n## {en}\n\n### {ru}\n\n`{id}`{origin} · [en](en/{id}.svg) · [ru](ru/{id}.svg){moving}\n\n{caption_en}\n\n{caption_ru}\n\n\
              | claim | утверждение | measured | allowed | |\n| --- | --- | --- | --- | --- |\n",
             en = html(entry.title.get(Lang::En)),
             ru = html(entry.title.get(Lang::Ru)),

@@ -8,7 +8,7 @@ pub mod markdown;
 use crate::error::Result;
 use crate::figure::params::Params;
 use crate::figure::{Entry, Figure};
-use crate::plot::{Format, Style, Theme, draw};
+use crate::plot::{Format, Scene, Style, Theme, animated, draw};
 use crate::text::Lang;
 use std::path::PathBuf;
 
@@ -25,14 +25,26 @@ pub struct Options {
     pub title: bool,
     /// Whether every layer is also written as CSV and JSON.
     pub data: bool,
+    /// Whether figures in motion are also written as animations.
+    pub motion: bool,
 }
 
 impl Default for Options {
-    /// All formats, both languages, light, with titles, without data: what the main job writes.
+    /// All formats and motion, both languages, light, with titles, without data: what the main job writes.
     fn default() -> Self {
-        Self { formats: Format::ALL.to_vec(), langs: Lang::ALL.to_vec(), theme: Theme::Light, title: true, data: false }
+        Self {
+            formats: Format::ALL.to_vec(),
+            langs: Lang::ALL.to_vec(),
+            theme: Theme::Light,
+            title: true,
+            data: false,
+            motion: true,
+        }
     }
 }
+
+/// How large an animation is: half a slide.
+const MOVING: (u32, u32) = (800, 450);
 
 /// A file that is to be written, its path relative to the gallery's folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -76,6 +88,13 @@ pub fn render(entry: &'static Entry, set: &[(String, String)], options: &Options
         for &format in &options.formats {
             let path = folder(lang, options.theme).join(format!("{stem}.{}", format.extension()));
             files.push(File { path, bytes: scene.write(format) });
+        }
+        if let Some(motion) = figure.motion.as_ref().filter(|_| options.motion) {
+            let style = Style { size: MOVING, ..style };
+            let scenes: Vec<Scene> =
+                motion.frames.iter().map(|frame| draw(entry.title, entry.caption, frame, &style)).collect();
+            let path = folder(lang, options.theme).join(format!("{stem}.apng"));
+            files.push(File { path, bytes: animated(&scenes, motion.rate) });
         }
     }
     if options.data {

@@ -1,6 +1,8 @@
 //! The discrete spectrum of an image.
 
+use crate::axis::Axis;
 use crate::error::{Error, Result, finite};
+use crate::field::spectrum::PlaneSpectrum;
 use crate::grid::Grid;
 use crate::image::Image;
 use ndarray::Array2;
@@ -42,6 +44,30 @@ impl ImageBins {
             spectrum(u, v)
         });
         Self { space, values }
+    }
+
+    /// What an image on `space` has at its bins if its spectrum is this one: the density, and the weight of a line times the
+    /// area of the image at the bin nearest to it.
+    ///
+    /// A line takes one bin alone if it stands on it, that is if its wave fits into the image a whole number of times.
+    ///
+    /// ```
+    /// use nyquist::prelude::*;
+    /// let wave = Grating::new([1.0 / 8.0, 0.0])?;
+    /// let bins = ImageBins::with_lines(Grid::centered(1.0, 32, 32)?, &wave.spectrum());
+    /// assert_eq!((bins.bin(4, 0).re, bins.bin(5, 0).re), (512.0, 0.0)); // N²/2
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn with_lines(space: Grid, spectrum: &PlaneSpectrum) -> Self {
+        let mut bins = Self::of(space, |u, v| spectrum.density(u, v));
+        let nearest = |nu: f64, axis: Axis| {
+            let n = axis.len() as i64;
+            ((nu * axis.span()).round() as i64 + n / 2).rem_euclid(n) as usize
+        };
+        for line in spectrum.lines() {
+            bins.values[[nearest(line.at[1], space.y()), nearest(line.at[0], space.x())]] += line.weight * space.area();
+        }
+        bins
     }
 
     /// Values that are known to fit.

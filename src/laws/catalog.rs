@@ -3,7 +3,7 @@
 use crate::error::{Result, unknown};
 use crate::laws::{
     Law, alias, coverage, cubics, discrepancy, film, frames, generalised, gibbs, hold, integration, jitter, kernels,
-    lattices, metrics, plane, point_spectra, poisson, spacing, theorems, truncation, variance,
+    lattices, metrics, plane, point_spectra, poisson, scene, spacing, theorems, truncation, variance,
 };
 
 /// The themes, each with its laws.
@@ -29,6 +29,7 @@ static THEMES: &[&[Law]] = &[
     lattices::LAWS,
     coverage::LAWS,
     film::LAWS,
+    scene::LAWS,
 ];
 
 /// All laws.

@@ -155,7 +155,7 @@ pub static LAWS: &[Law] = &[
         inventory: &["V30", "F33", "E13"],
         says: &Text::fixed(
             "n equal samples a pixel have the transfer sin(πν)/(n·sin(πν/n)): near the box for small ν, one at ν = n",
-            "n равных отсчётов на пиксел имеют передачу sin(πν)/(n·sin(πν/n)): при малых ν как прямоугольник, при ν = n единица",
+            "n равных отсчётов на пиксель имеют передачу sin(πν)/(n·sin(πν/n)): при малых ν как прямоугольник, при ν = n единица",
         ),
         holds: || {
             let taps = [1, 2, 4, 5, 16];

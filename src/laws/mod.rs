@@ -21,6 +21,7 @@ pub mod metrics;
 pub mod plane;
 pub mod point_spectra;
 pub mod poisson;
+pub mod scene;
 pub mod spacing;
 pub mod theorems;
 pub mod truncation;

@@ -10,9 +10,9 @@ use crate::field::spectrum::PlaneSpectrum;
 use crate::field::spot::GaussianSpot;
 use crate::field::{Field, FourierField};
 use crate::grid::Grid;
-use crate::image::Image;
 use crate::image::dft::{forward, inverse};
 use crate::image::projection::{line_integral, project};
+use crate::image::{Image, ImageBins};
 use crate::laws::Law;
 use crate::residual::Residual;
 use crate::sampled::Samples;
@@ -21,7 +21,6 @@ use crate::sampled::dtft::dtft;
 use crate::signal::FourierPair;
 use crate::signal::gaussian::Gaussian;
 use crate::text::Text;
-use num_complex::Complex;
 
 /// The rounding of a transform of `n` values, relative to the root of their sum of squares: `8ε·log₂n` (as in one
 /// dimension; Higham 2002, §24.1).
@@ -42,9 +41,27 @@ pub fn transform_rounding(n: usize) -> f64 {
 /// # Ok::<(), Error>(())
 /// ```
 pub fn pair_by_transform(field: &impl FourierField, grid: Grid, tail: f64) -> Residual {
-    let image = Image::of(field, grid);
-    let (bins, spectrum) = (forward(&image), field.spectrum());
-    let differences = bins.grid().iter().zip(bins.values()).map(|([u, v], f)| (f - spectrum.density(u, v)).norm());
+    spectrum_by_transform(&Image::of(field, grid), &field.spectrum(), tail)
+}
+
+/// The same for samples in hand: the transform of the image has at the bins the density of `spectrum`, and the weight of a
+/// line times the area of the image where one stands.
+///
+/// ```
+/// use nyquist::laws::plane::spectrum_by_transform;
+/// use nyquist::prelude::*;
+/// let grid = Grid::centered(1.0, 32, 32)?;
+/// let whole = Grating::new([4.0 / 32.0, 0.0])?; // four periods fill the picture: two bins, and nothing else
+/// assert!(spectrum_by_transform(&Image::of(&whole, grid), &whole.spectrum(), 0.0).holds());
+/// let between = Grating::new([4.5 / 32.0, 0.0])?; // it leaks into all bins
+/// assert!(!spectrum_by_transform(&Image::of(&between, grid), &between.spectrum(), 0.0).holds());
+/// # Ok::<(), Error>(())
+/// ```
+pub fn spectrum_by_transform(image: &Image, spectrum: &PlaneSpectrum, tail: f64) -> Residual {
+    let grid = image.grid();
+    let expected = ImageBins::with_lines(grid, spectrum);
+    let bins = forward(image);
+    let differences = bins.values().iter().zip(expected.values()).map(|(f, known)| (f - known).norm());
     let measured = differences.fold(0.0, f64::max);
     let size = grid.pixel_area() * image.values().iter().map(|v| v.abs()).sum::<f64>();
     Residual::at_most("closed-form spectrum = transform", measured, transform_rounding(grid.len()) * size + tail)
@@ -228,7 +245,7 @@ pub static LAWS: &[Law] = &[
             let image = noise(16, 12);
             let elsewhere = image.on(Grid::cells(0.0..3.3, 16, 0.0..3.5, 12).expect("rises")).expect("the same size");
             let bins = forward(&elsewhere);
-            let read = crate::image::ImageBins::trusted(image.grid(), bins.values().clone());
+            let read = ImageBins::trusted(image.grid(), bins.values().clone());
             let error = inverse(&read).rmse(&image).expect("the same size");
             vec![Residual::at_most("bins read with another start", error, transform_rounding(192))]
         },
@@ -270,19 +287,8 @@ pub static LAWS: &[Law] = &[
     },
 ];
 
-/// The bins of a grating of `cycles` over `n`×`n` pixels: the largest deviation from `n²/2` at the two lines and zero
-/// elsewhere. Allowed: the rounding of the transform, relative to `n²`.
-pub fn two_bins(cycles: [f64; 2], n: usize) -> Residual {
+/// The bins of a grating of `cycles` over `n`×`n` pixels: `n²/2` at the two lines, zero elsewhere.
+fn two_bins(cycles: [f64; 2], n: usize) -> Residual {
     let grid = Grid::centered(1.0, n, n).expect("the sizes are small");
-    let grating = Grating::new(cycles.map(|k| k / n as f64)).expect("finite");
-    let bins = forward(&Image::of(&grating, grid));
-    let half = 0.5 * (n * n) as f64;
-    let expected = |at: [f64; 2]| {
-        let cycles_here = at.map(|nu| nu * n as f64);
-        let line = |sign: f64| (0..2).all(|i| (cycles_here[i] - sign * cycles[i]).abs() < 0.5);
-        if line(1.0) || line(-1.0) { Complex::from(half) } else { Complex::ZERO }
-    };
-    let differences = bins.grid().iter().zip(bins.values()).map(|(at, v)| (v - expected(at)).norm());
-    let measured = differences.fold(0.0, f64::max);
-    Residual::at_most("two bins of the size N²/2", measured, transform_rounding(n * n) * 2.0 * half)
+    pair_by_transform(&Grating::new(cycles.map(|k| k / n as f64)).expect("finite"), grid, 0.0)
 }

@@ -15,7 +15,7 @@
 //! | [`halton`], [`hammersley`], [`sobol`], [`zero_two`] | any | structured, or scrambled | smooth functions, many dimensions |
 //! | [`best_candidate`], [`poisson_disk`] | any; about as many as asked | blue: a ring, and a low plateau inside | images |
 //! | [`blue_noise`] | any; a tile of thresholds | blue, progressive | images, dithering |
-//! | [`padded`] | squares | per group | image, time and lens together |
+//! | [`padded`], [`grouped`] | squares; any | per group | image, time and lens together |
 
 pub mod best_candidate;
 pub mod blue_noise;
@@ -24,6 +24,7 @@ pub mod catalog;
 pub mod cells;
 pub mod cloud;
 pub mod directions;
+pub mod grouped;
 pub mod halton;
 pub mod hammersley;
 pub mod jittered;

@@ -29,6 +29,7 @@
 //! assert_eq!(&scene.pdf()[..5], b"%PDF-");
 //! ```
 
+mod apng;
 mod canvas;
 mod chart;
 mod elements;
@@ -46,6 +47,7 @@ mod stroke;
 mod svg;
 mod typeset;
 
+pub use apng::animated;
 pub use palette::{Rgb, Theme};
 pub use scene::{Label, Scene};
 

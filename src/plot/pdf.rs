@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 /// Points to a unit of the picture: 1600 × 900 becomes the 13⅓ × 7½ inches of a slide.
 const POINT: f64 = 0.6;
 /// How hard streams are compressed, of ten.
-const LEVEL: u8 = 8;
+const LEVEL: u8 = 6;
 
 impl Scene {
     /// The picture as one page of PDF, letters as outlines; 1600 × 900 units are 13⅓ × 7½ inches.

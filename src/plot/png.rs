@@ -10,6 +10,13 @@ use tiny_skia::{
 impl Scene {
     /// The picture as a PNG of `scale` pixels to the unit, without transparency.
     pub fn png(&self) -> Vec<u8> {
+        let (size, rgb) = self.pixels();
+        // a slide is large and mostly even: the fast compressor takes a third of the time for a few more bytes
+        encoded(size, png::ColorType::Rgb, None, png::Filter::Adaptive, png::Compression::Fast, &rgb)
+    }
+
+    /// The picture as pixels: width and height, and red, green, blue row by row.
+    pub(super) fn pixels(&self) -> ((u32, u32), Vec<u8>) {
         let pixels = |units: u32| ((f64::from(units) * self.scale).round() as u32).max(1);
         let (width, height) = (pixels(self.size.0), pixels(self.size.1));
         let mut easel = Easel {
@@ -32,8 +39,7 @@ impl Scene {
                 Op::Image(image) => easel.image(image),
             }
         }
-        let rgb: Vec<u8> = easel.pixmap.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
-        encoded((width, height), png::ColorType::Rgb, None, png::Filter::Adaptive, &rgb)
+        ((width, height), easel.pixmap.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect())
     }
 }
 
@@ -208,9 +214,10 @@ pub(super) fn enlarged(image: &Image, least: usize) -> Vec<u8> {
     let grey = image.table.iter().enumerate().all(|(i, rgb)| *rgb == [i as u8; 3]);
     let as_is = |filter| {
         if grey {
-            encoded(size, png::ColorType::Grayscale, None, filter, &tones)
+            encoded(size, png::ColorType::Grayscale, None, filter, png::Compression::Balanced, &tones)
         } else {
-            encoded(size, png::ColorType::Indexed, Some(image.table.as_flattened().to_vec()), filter, &tones)
+            let table = image.table.as_flattened().to_vec();
+            encoded(size, png::ColorType::Indexed, Some(table), filter, png::Compression::Balanced, &tones)
         }
     };
     // Which filter serves depends on the picture: flat cells compress best without, smooth ones with.
@@ -223,13 +230,14 @@ fn encoded(
     colour: png::ColorType,
     palette: Option<Vec<u8>>,
     filter: png::Filter,
+    compression: png::Compression,
     data: &[u8],
 ) -> Vec<u8> {
     let mut out = Vec::new();
     let mut encoder = png::Encoder::new(&mut out, width.max(1), height.max(1));
     encoder.set_color(colour);
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Balanced);
+    encoder.set_compression(compression);
     if let Some(palette) = palette {
         encoder.set_palette(palette);
     }

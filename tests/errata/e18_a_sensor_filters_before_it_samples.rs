@@ -27,7 +27,10 @@ fn what_pixels_integrate_are_point_samples_of_the_filtered_signal_and_not_of_the
         }
     }
     // at Nyquist a full pixel keeps 0.637, half a pixel 0.900
-    assert!((seen(0.5, 0.0, 1.0) - 0.636_62).abs() < 5e-6 && (seen(0.5, 0.0, 0.5) - 0.900_32).abs() < 5e-6);
+    assert!(
+        (seen(0.5, 0.0, 1.0) - std::f64::consts::FRAC_2_PI).abs() < 1e-14
+            && (seen(0.5, 0.0, 0.5) - 0.900_32).abs() < 5e-6
+    );
 }
 
 #[test]

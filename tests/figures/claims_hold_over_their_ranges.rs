@@ -52,6 +52,11 @@ fn of_edges_and_filters() {
 }
 
 #[test]
+fn of_the_checkerboard_and_the_film() {
+    tried(&["f35", "f36", "f40", "f42", "f50", "f51", "f56", "f58"]);
+}
+
+#[test]
 fn of_what_goes_beyond_the_lecture() {
     tried(&["x-"]);
 }
@@ -84,7 +89,7 @@ fn of_the_formal_part() {
 
 #[test]
 fn of_the_problem() {
-    tried_together(&["f02", "f04", "f07", "f08"]);
+    tried_together(&["f01", "f02", "f03", "f04", "f05", "f07", "f08"]);
 }
 
 #[test]
@@ -95,4 +100,14 @@ fn of_reconstruction() {
 #[test]
 fn of_aliasing_and_its_remedies() {
     tried_together(&["f27", "f28", "f29", "f30", "f31", "f32", "f33"]);
+}
+
+#[test]
+fn of_lens_and_shutter() {
+    tried(&["f47", "f53"]);
+}
+
+#[test]
+fn of_pictures_and_their_spectra() {
+    tried(&["f43", "f44", "f45", "f46", "f59"]);
 }

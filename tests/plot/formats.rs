@@ -3,7 +3,7 @@
 use crate::samples::{Pixels, all, bare};
 use ndarray::Array2;
 use nyquist::figure::{Figure, Layer, Meaning, Panel, Scale, Tones};
-use nyquist::plot::{Format, Style, Theme, draw};
+use nyquist::plot::{Format, Style, Theme, animated, draw};
 use nyquist::text::{Lang, Text};
 use std::sync::OnceLock;
 
@@ -242,4 +242,46 @@ fn formats_are_read_by_name_and_the_nearest_is_named_first() {
     let error = "pmg".parse::<Format>().unwrap_err().to_string();
     assert_eq!(error, "no format is called \"pmg\"; known: png, svg, pdf");
     assert_eq!("dark".parse::<Theme>().unwrap(), Theme::Dark);
+}
+
+/// The frames of an animation as whole pictures, and how long one lasts.
+fn frames(apng: &[u8]) -> (Vec<Vec<u8>>, [u16; 2]) {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(apng)).read_info().expect("the file is a PNG");
+    let count = reader.info().animation_control().expect("it is an animation").num_frames;
+    let width = reader.info().width as usize;
+    let mut shown = vec![0; 3 * width * reader.info().height as usize];
+    let (mut pictures, mut delay) = (Vec::new(), [0, 0]);
+    for _ in 0..count {
+        let mut part = vec![0; shown.len()];
+        let read = reader.next_frame(&mut part).expect("the frame can be read");
+        let control = reader.info().frame_control().copied().expect("every frame has its place");
+        delay = [control.delay_num, control.delay_den];
+        let line = 3 * read.width as usize;
+        for (j, row) in part.chunks_exact(line).take(read.height as usize).enumerate() {
+            let at = 3 * ((control.y_offset as usize + j) * width + control.x_offset as usize);
+            shown[at..at + line].copy_from_slice(row);
+        }
+        pictures.push(shown.clone());
+    }
+    (pictures, delay)
+}
+
+#[test]
+fn an_animation_shows_its_frames() {
+    let figure = nyquist::figure::catalog::by_name("f03-strobing").and_then(|entry| entry.figure());
+    let motion = figure.expect("the wheel can be computed").motion.expect("it turns");
+    let style = Style { size: (480, 270), ..Default::default() };
+    let scenes: Vec<_> =
+        motion.frames[..5].iter().map(|frame| draw(&Text::EMPTY, &Text::EMPTY, frame, &style)).collect();
+    let apng = animated(&scenes, motion.rate);
+    assert_eq!(apng, animated(&scenes, motion.rate));
+    let (pictures, delay) = frames(&apng);
+    assert_eq!((pictures.len(), delay), (5, [1, motion.rate]));
+    for (scene, picture) in scenes.iter().zip(pictures) {
+        let still = scene.png();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(&still)).read_info().expect("a PNG");
+        let mut pixels = vec![0; picture.len()];
+        reader.next_frame(&mut pixels).expect("it can be read");
+        assert!(pixels == picture, "a frame differs from its still");
+    }
 }

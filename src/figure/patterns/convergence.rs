@@ -27,7 +27,7 @@ const CONVERGENCE: Entry = Entry {
          function, but N^{−3/2} for edges in any direction and for a pixel of the perspective checkerboard. Scrambled nets win \
          most where the function is smooth. Poisson disks look best, but in the end gain only a constant factor on random points.",
         "Чего стоит узор, зависит от функции. Случайные точки дают 1/N для любой. Джиттер — N^{−2} для гладкой, но N^{−3/2} для \
-         границ любого направления и для пиксела шахматной доски в перспективе. Перемешанные сети выигрывают больше всего на \
+         границ любого направления и для пикселя шахматной доски в перспективе. Перемешанные сети выигрывают больше всего на \
          гладкой. Диски Пуассона красивее всех, но в конце концов выигрывают у случайных лишь постоянный множитель.",
     ),
     params: &[Param::count("seed", &SEED, 1, 1, SEEDS)],
@@ -123,7 +123,7 @@ fn convergence(params_seed: u64) -> Result<Figure> {
     let problems = [
         Problem::new("smooth", text!("smooth: e^{{x + y}}", "гладкая: e^{{x + y}}"), params_seed, smooth)?,
         Problem::new("edge", text!("an edge, any direction", "край любого направления"), params_seed, random_edge)?,
-        Problem::new("pixel", text!("a checkerboard's pixel", "пиксел шахматной доски"), params_seed, pixel)?,
+        Problem::new("pixel", text!("a checkerboard's pixel", "пиксель шахматной доски"), params_seed, pixel)?,
     ];
     let figure = problems.iter().fold(Figure::new(3), |figure, problem| figure.with(problem.panel()));
     let z = for_all_seeds(4);

@@ -26,9 +26,9 @@ const GROUPS: Entry = Entry {
         "Four strata of the pixel, four of the time, four of the lens: each group is stratified by itself, and a random \
          shuffle says which goes with which (one colour is one sample). Four strata in every one of the five dimensions would \
          need 4⁵ = 1024 samples; groups need four. Unshuffled, every pixel would see the same time and lens at the same corner.",
-        "Четыре страты пиксела, четыре времени, четыре линзы: каждая группа стратифицирована сама по себе, а случайное \
+        "Четыре страты пикселя, четыре времени, четыре линзы: каждая группа стратифицирована сама по себе, а случайное \
          перемешивание решает, что с чем связать (один цвет — один отсчёт). Четыре страты в каждом из пяти измерений \
-         потребовали бы 4⁵ = 1024 отсчёта, группам хватает четырёх. Без перемешивания углу пиксела всегда достаются одни и те \
+         потребовали бы 4⁵ = 1024 отсчёта, группам хватает четырёх. Без перемешивания углу пикселя всегда достаются одни и те \
          же время и место на линзе.",
     ),
     params: &[Param::count("seed", &SEED, 1, 1, SEEDS)],
@@ -96,7 +96,7 @@ fn drawing(name: &'static str, title: Text, samples: &[[f64; 5]]) -> Panel {
     let line = [[TIME, 0.0], [TIME, 1.0], [f64::NAN; 2]];
     let strata = square(0.0).into_iter().chain(square(LENS)).chain(marks).chain(line);
     let names = [
-        ([0.5, 1.12], text!("pixel (x, y)", "пиксел (x, y)")),
+        ([0.5, 1.12], text!("pixel (x, y)", "пиксель (x, y)")),
         ([TIME, 1.12], text!("time t", "время t")),
         ([LENS + 0.5, 1.12], text!("lens (u, v)", "линза (u, v)")),
     ];

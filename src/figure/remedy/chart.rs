@@ -20,7 +20,7 @@ use num_complex::Complex;
 use std::f64::consts::PI;
 
 static TONE: Text = Text::fixed("frequency of the first tone", "частота первого тона");
-static COUNT: Text = Text::fixed("samples per pixel n", "отсчётов на пиксел n");
+static COUNT: Text = Text::fixed("samples per pixel n", "отсчётов на пиксель n");
 static FILTER: Text = Text::fixed("filter before sampling", "фильтр перед дискретизацией");
 
 /// The figures of this family.
@@ -35,7 +35,7 @@ const REMEDIES: Entry = Entry {
         "Two tones that one sample per pixel turns into the same false slow wave, and what three remedies leave of it: \
          a filter before sampling almost nothing; n uniform samples, averaged, little of the slower tone, but the faster \
          one, near n·f_{s}, comes through whole; stochastic samples damp both, and what they take away returns as noise.",
-        "Два тона, которые при одном отсчёте на пиксел становятся одной и той же ложной медленной волной, и что от неё \
+        "Два тона, которые при одном отсчёте на пиксель становятся одной и той же ложной медленной волной, и что от неё \
          оставляют три способа: фильтр перед дискретизацией — почти ничего; среднее n равномерных отсчётов — немного от \
          первого тона, но второй, около n·f_{s}, проходит целиком; случайные отсчёты ослабляют оба, а отнятое \
          возвращается шумом.",
@@ -172,7 +172,7 @@ fn remedies(params: &Params) -> Result<Figure> {
             .claim(
                 text!(
                     "tone {}: the noise has the power {} that the parts of the pixel took away",
-                    "тон {}: мощность шума {} — та, что отняли части пиксела",
+                    "тон {}: мощность шума {} — та, что отняли части пикселя",
                     tone,
                     number(random.noise.powi(2), 2)
                 ),
@@ -208,7 +208,7 @@ fn panel(row: usize, column: usize, nu: f64, n: u32, outcome: &Outcome) -> Panel
     let (end, top) = (30.0, 1.9);
     let x = match row {
         0 => unmarked(0.0, end),
-        _ => Scale::linear(text!("pixel", "пиксел"), 0.0, end),
+        _ => Scale::linear(text!("pixel", "пиксель"), 0.0, end),
     };
     let y = Scale::linear(label, -1.3, top);
     let y =

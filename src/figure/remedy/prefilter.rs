@@ -40,7 +40,7 @@ const PREFILTER: Entry = Entry {
          the pixel, «exact area», is no such filter: of a tone at 0.9 f_{s} it leaves 0.1093, and a ghost remains.",
         "ЛЧМ-сигнал 1 + cos 4πx² проходит частоту Найквиста 4 в точке x = 1. Без фильтра за ней в отсчётах видно зеркальное \
          отражение. После sinc с окном, не пропускающего ничего выше 4, там остаётся только среднее — и это правда. \
-         Усреднение по пикселу («точная площадь») — не такой фильтр: от тона 0,9 f_{s} остаётся 0,1093, и ложная волна \
+         Усреднение по пикселю («точная площадь») — не такой фильтр: от тона 0,9 f_{s} остаётся 0,1093, и ложная волна \
          видна.",
     ),
     params: &[Param::real("radius", &RADIUS, 16.0, 6.0, 24.0, "steps")],
@@ -118,7 +118,7 @@ fn prefilter(radius: f64) -> Result<Figure> {
             .with(Layer::line("prefiltered", Meaning::Signal, visible(&filtered)).dashed())
             .with(curve("back", Meaning::Reconstructed, &|x| back.at(x), 0.0, END))
             .with(Layer::dots("samples", Meaning::Samples, visible(&sampled))),
-        panel("area", text!("mean over a pixel, then samples", "среднее по пикселу, затем отсчёты"), true)
+        panel("area", text!("mean over a pixel, then samples", "среднее по пикселю, затем отсчёты"), true)
             .with(curve("true", Meaning::Reconstructed, &|x| ghost.at(x), 0.0, 1.0))
             .with(curve("ghost", Meaning::Leaked, &|x| ghost.at(x), 1.0, END))
             .with(Layer::dots("samples", Meaning::Samples, visible(&averaged))),
@@ -178,7 +178,7 @@ fn prefilter(radius: f64) -> Result<Figure> {
         .claim(
             text!(
                 "the box leaves {} of a tone at 0.9 f_{{s}}: «exact area» is not free of aliasing",
-                "усреднение по пикселу оставляет {} от тона 0.9 f_{{s}}: «точная площадь» не избавляет от алиасинга",
+                "усреднение по пикселю оставляет {} от тона 0.9 f_{{s}}: «точная площадь» не избавляет от алиасинга",
                 number(left_over.value / STEP, 4)
             ),
             Residual::near(

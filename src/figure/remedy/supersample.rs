@@ -18,7 +18,7 @@ use crate::text;
 use crate::text::{Text, number};
 use std::f64::consts::PI;
 
-static COUNT: Text = Text::fixed("samples per pixel n", "отсчётов на пиксел n");
+static COUNT: Text = Text::fixed("samples per pixel n", "отсчётов на пиксель n");
 
 /// The figures of this family.
 pub static ENTRIES: &[Entry] = &[SUPERSAMPLING];
@@ -32,8 +32,8 @@ const SUPERSAMPLING: Entry = Entry {
         "Sampling n times as often moves the copies n times as far apart. The samples of a pixel are then averaged, which \
          is a digital filter, before only one value a pixel is kept. That filter is near the box over the pixel for low \
          frequencies, but it repeats: close to n·f_{s} everything passes, and folds.",
-        "Дискретизация в n раз чаще раздвигает копии в n раз. Затем отсчёты пиксела усредняются — это цифровой фильтр, — и \
-         остаётся одно значение на пиксел. На низких частотах такой фильтр близок к усреднению по площади, но он \
+        "Дискретизация в n раз чаще раздвигает копии в n раз. Затем отсчёты пикселя усредняются — это цифровой фильтр, — и \
+         остаётся одно значение на пиксель. На низких частотах такой фильтр близок к усреднению по площади, но он \
          периодичен: около n·f_{s} проходит всё — и заворачивается.",
     ),
     params: &[Param::count("n", &COUNT, 4, 2, 8)],
@@ -98,7 +98,7 @@ fn supersampling(n: usize) -> Result<Figure> {
     let transfer = Panel::new(
         "transfer",
         text!("gain of the mean of {n}", "усиление среднего: n = {n}"),
-        Scale::linear(text!("frequency ν, cycles per pixel", "частота ν, периодов на пиксел"), 0.0, limit),
+        Scale::linear(text!("frequency ν, cycles per pixel", "частота ν, периодов на пиксель"), 0.0, limit),
         values("", -1.25, 1.25),
     )
     .legend(Legend::Above)
@@ -125,14 +125,14 @@ fn supersampling(n: usize) -> Result<Figure> {
     let bars = pixels.points().flat_map(|[x, v]| [[x - 0.5, v], [x + 0.5, v], [f64::NAN, f64::NAN]]);
     let pixel = Panel::new(
         "pixel",
-        text!("pixel = Σ w_{{s}}·sample_{{s}}", "пиксел = Σ w_{{s}}·отсчёт_{{s}}"),
+        text!("pixel = Σ w_{{s}}·sample_{{s}}", "пиксель = Σ w_{{s}}·отсчёт_{{s}}"),
         space(-end, end),
         unmarked(-1.15, 1.15),
     )
     .legend(Legend::Above)
     .with(Layer::verticals("edges", Meaning::Guide, (0..2 * shown).map(|i| i as f64 + 1.0 - end)))
     .with(Layer::curve("scene", Meaning::Signal, -end, end, PIECES, |x| scene.at(x)).label(text!("signal", "сигнал")))
-    .with(Layer::line("pixels", Meaning::Reconstructed, bars).thick().label(text!("pixels", "пикселы")))
+    .with(Layer::line("pixels", Meaning::Reconstructed, bars).thick().label(text!("pixels", "пиксели")))
     .with(Layer::dots("samples", Meaning::Samples, fine.clone()).label(text!("samples", "отсчёты")));
 
     let total: f64 = weights.iter().sum();
@@ -163,7 +163,7 @@ fn supersampling(n: usize) -> Result<Figure> {
             Residual::near("gap between copies = n/T − 2B", gap, count - 2.0 * f.band(), 4.0 * f64::EPSILON * count),
         )
         .claim(
-            text!("the weights add up to one, and pixels are the means", "сумма весов равна единице, пикселы — средние"),
+            text!("the weights add up to one, and pixels are the means", "сумма весов равна единице, пиксели — средние"),
             Residual::at_most("Σw = 1, pixel = Σw·sample", (total - 1.0).abs().max(apart), 16.0 * f64::EPSILON * count),
         )
         .claim(
@@ -176,7 +176,7 @@ fn supersampling(n: usize) -> Result<Figure> {
         .claim(
             text!(
                 "at {} it lets {} through, the area of a pixel only {}",
-                "на частоте {} она пропускает {}, а площадь пиксела — лишь {}",
+                "на частоте {} она пропускает {}, а площадь пикселя — лишь {}",
                 number(near, 3),
                 number(passes, 5),
                 number(box_passes, 4)
