@@ -44,11 +44,11 @@ const SEED: u64 = 1;
 
 fn after_help() -> String {
     let mut text = String::from(
-        "All channels, any ratio of rates. A tone keeps its phase: the delay of the filter is compensated exactly.\n\
-         Of n frames there come round(n*R/R0). The kind of samples stays; integers are dithered (TPDF, the same\n\
-         noise in every run). What is clipped or left out is said on standard error.\n\n\
-         Qualities, held by tests. The pass-band is a fraction of the lower Nyquist frequency of both rates;\n\
-         rejected is all that lies beyond that frequency, which would alias or image.\n  \
+        "All channels, any ratio of rates. A tone keeps its phase: the filter's delay is compensated.\n\
+         Of n frames there come round(n*R/R0). The kind of samples stays; integers are dithered (TPDF,\n\
+         the same noise in every run). What is clipped or left out is said on standard error.\n\n\
+         Qualities, held by tests. The pass-band is a fraction of the lower Nyquist frequency of both\n\
+         rates; rejected is all that lies beyond that frequency, which would alias or image.\n  \
          quality   pass-band to   44.1 with 48 kHz   ripple within   rejection\n",
     );
     for quality in Quality::ALL {
