@@ -102,6 +102,7 @@ mod parallel;
 pub mod pattern;
 #[cfg(feature = "plot")]
 pub mod plot;
+pub mod rate;
 pub mod reconstruct;
 pub mod residual;
 pub mod resolve;
@@ -123,6 +124,7 @@ pub mod prelude {
     pub use crate::comb::Comb;
     pub use crate::door::picture::{Color, Picture};
     pub use crate::door::srgb::{linear_to_srgb, srgb_to_linear};
+    pub use crate::door::wav::{Dither, Encoding, WavFormat, WavReader, WavWriter};
     #[cfg(feature = "files")]
     pub use crate::door::{Depth, Limits, png_bytes, read_picture};
     pub use crate::error::{Error, Result};
@@ -190,6 +192,7 @@ pub mod prelude {
     pub use crate::pattern::scrambling::Scrambling;
     pub use crate::pattern::sobol::Sobol;
     pub use crate::pattern::zero_two::ZeroTwo;
+    pub use crate::rate::{Converter, Quality, convert};
     pub use crate::reconstruct::{Reconstruction, reconstruct};
     pub use crate::residual::Residual;
     pub use crate::resolve::{Ends, Resolution, Resolved, resolve, resolve_up_to};

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 28] = [
+const FLOORS: [&str; 29] = [
     "error",
     "text",
     "num",
@@ -22,6 +22,7 @@ const FLOORS: [&str; 28] = [
     "sampled",
     "comb",
     "reconstruct",
+    "rate",
     "image",
     "film",
     "antialias",

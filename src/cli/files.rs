@@ -35,6 +35,14 @@ pub(super) fn same(one: &Path, other: &Path) -> bool {
     one == other || place(one).is_some_and(|p| Some(p) == place(other))
 }
 
+/// Two paths that are not the same file, whatever they are called; `-` is none.
+pub(super) fn distinct(input: &Path, output: &Path) -> Result<(), Failure> {
+    if input != Path::new("-") && same(input, output) {
+        return Err(Failure::Trouble(format!("{} is the input, which is never overwritten", output.display())));
+    }
+    Ok(())
+}
+
 /// Writes to a temporary file beside the target and renames it, so that an existing file is replaced whole or stays
 /// as it was.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
@@ -43,7 +51,17 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 
 /// [`write`] for what is made while it is written.
 pub(super) fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
-    Prepared::new(path, fill)?.place()
+    write_seek(path, |file| fill(file).map_err(|error| cannot_write(path, error)))
+}
+
+/// [`write`] for what is made while it is written, goes back in the file, or can fail for reasons of its own.
+pub(super) fn write_seek<T>(
+    path: &Path,
+    fill: impl FnOnce(&mut BufWriter<fs::File>) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    let (prepared, made) = Prepared::filled(path, fill)?;
+    prepared.place()?;
+    Ok(made)
 }
 
 /// A file that is written whole, but not in its place yet: several can be prepared before the first is placed.
@@ -55,24 +73,28 @@ pub(super) struct Prepared {
 impl Prepared {
     /// Writes the temporary file.
     pub(super) fn new(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Self, Failure> {
-        let failed = |error: io::Error| Failure::trouble(format!("cannot write {}", path.display()), error);
+        Ok(Self::filled(path, |file| fill(file).map_err(|error| cannot_write(path, error)))?.0)
+    }
+
+    fn filled<T>(
+        path: &Path,
+        fill: impl FnOnce(&mut BufWriter<fs::File>) -> Result<T, Failure>,
+    ) -> Result<(Self, T), Failure> {
+        let failed = |error| cannot_write(path, error);
         let folder = folder_of(path);
         fs::create_dir_all(folder).map_err(failed)?;
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
         let temporary = folder.join(format!(".{name}.{}.tmp", std::process::id()));
+        let mut file = BufWriter::new(fs::File::create(&temporary).map_err(failed)?);
         let prepared = Self { temporary, target: path.to_owned() };
-        let written = fs::File::create(&prepared.temporary).and_then(|file| {
-            let mut file = BufWriter::new(file);
-            fill(&mut file)?;
-            file.flush()
-        });
-        written.map(|()| prepared).map_err(failed)
+        let made = fill(&mut file)?;
+        file.flush().map_err(failed)?;
+        Ok((prepared, made))
     }
 
     /// Puts it where it belongs.
     pub(super) fn place(self) -> Result<(), Failure> {
-        let failed = |error| Failure::trouble(format!("cannot write {}", self.target.display()), error);
-        fs::rename(&self.temporary, &self.target).map_err(failed)
+        fs::rename(&self.temporary, &self.target).map_err(|error| cannot_write(&self.target, error))
     }
 }
 
@@ -81,4 +103,8 @@ impl Drop for Prepared {
         // gone already where it was placed; otherwise best effort, the error that matters is another
         let _ = fs::remove_file(&self.temporary);
     }
+}
+
+fn cannot_write(path: &Path, error: io::Error) -> Failure {
+    Failure::trouble(format!("cannot write {}", path.display()), error)
 }

@@ -6,6 +6,7 @@ mod kernel;
 mod laws;
 mod points;
 mod render;
+mod resample;
 
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
@@ -45,6 +46,8 @@ enum Command {
     Points(points::Args),
     /// Render a scene through lens and shutter into a PNG
     Render(render::Args),
+    /// Convert a WAV file to another sampling rate
+    Resample(resample::Args),
 }
 
 /// Why the exit code is not zero.
@@ -87,6 +90,7 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Kernel(args)) => kernel::run(&args, &mut out),
         Some(Command::Points(args)) => points::run(&args, &mut out),
         Some(Command::Render(args)) => render::run(&args, &mut out),
+        Some(Command::Resample(args)) => resample::run(&args, &mut out),
     };
     match done.and_then(|()| Ok(out.flush()?)) {
         Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,

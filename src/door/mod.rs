@@ -1,4 +1,4 @@
-//! The door: files of images in and out, and the one place where sRGB becomes linear light and back.
+//! The door: files of images and of sound in and out, and the one place where sRGB becomes linear light and back.
 //!
 //! Reading takes PNG (8 and 16 bits a channel, grey, colour, palettes, with or without alpha) and JPEG (8 bits, grey and
 //! colour, baseline and progressive), writing makes PNG of 8 or 16 bits; both need the feature `files`. Bytes come in
@@ -26,6 +26,7 @@ pub mod picture;
 #[cfg(feature = "files")]
 mod png;
 pub mod srgb;
+pub mod wav;
 
 #[cfg(feature = "files")]
 pub use crate::door::files::{Depth, Limits, open_picture, png_bytes, read_picture};

@@ -1,0 +1,131 @@
+//! Tones below the end of the pass-band come through, at their phase; tones above the lower Nyquist frequency do not; and in
+//! between nothing lands anywhere else.
+
+use nyquist::num::{cos_pi, sin_pi};
+use nyquist::rate::{Quality, convert};
+
+/// The pairs of rates: up, down, simple and not, and two that are no ratios of small numbers.
+const PAIRS: [(f64, f64); 8] = [
+    (44_100.0, 48_000.0),
+    (48_000.0, 44_100.0),
+    (96_000.0, 44_100.0),
+    (8_000.0, 48_000.0),
+    (48_000.0, 8_000.0),
+    (44_100.0, 44_100.0 * std::f64::consts::FRAC_PI_3),
+    (48_000.0, 48_000.0 / std::f64::consts::SQRT_2),
+    (48_000.0, 48_000.0 / (3.0 * std::f64::consts::E)),
+];
+
+/// How many periods pass until sample `i`, with its phase: the closed form, reduced before it is multiplied by π.
+fn tone(frequency: f64, rate: f64, i: usize) -> f64 {
+    let cycles = frequency / rate * i as f64;
+    sin_pi(2.0 * (cycles - cycles.floor()) + 0.3)
+}
+
+/// The middle of a tone after conversion, away from its ends by more than the longest filter: (index, value).
+fn converted(frequency: f64, from: f64, to: f64, quality: Quality) -> Vec<(usize, f64)> {
+    let low = from.min(to);
+    let samples = (8_000.0 * from / low) as usize;
+    let record: Vec<f64> = (0..samples).map(|i| tone(frequency, from, i)).collect();
+    let out = convert(&record, from, to, quality).expect("the pair of rates is possible");
+    let away = (1_600.0 * to / low) as usize;
+    let end = out.len() - away;
+    out.into_iter().enumerate().take(end).skip(away).collect()
+}
+
+/// What is left of a record when the tone of this frequency is taken away, whatever its amplitude and phase.
+fn without(record: &[(usize, f64)], frequency: f64, rate: f64) -> f64 {
+    let basis = |i: usize| {
+        let cycles = frequency / rate * i as f64;
+        let t = 2.0 * (cycles - cycles.floor());
+        [cos_pi(t), sin_pi(t)]
+    };
+    // normal equations of two unknowns
+    let (mut cc, mut cs, mut ss, mut yc, mut ys) = (0.0, 0.0, 0.0, 0.0, 0.0);
+    for &(i, v) in record {
+        let [c, s] = basis(i);
+        (cc, cs, ss, yc, ys) = (cc + c * c, cs + c * s, ss + s * s, yc + v * c, ys + v * s);
+    }
+    let det = cc * ss - cs * cs;
+    let (a, b) = ((yc * ss - ys * cs) / det, (ys * cc - yc * cs) / det);
+    let rest = record.iter().map(|&(i, v)| {
+        let [c, s] = basis(i);
+        (v - a * c - b * s).abs()
+    });
+    rest.fold(0.0, f64::max)
+}
+
+fn decibels(v: f64) -> f64 {
+    20.0 * v.log10()
+}
+
+#[test]
+fn tones_of_the_pass_band_come_through() {
+    for (from, to) in PAIRS {
+        for quality in Quality::ALL {
+            let promise = quality.promise();
+            let band = 0.5 * from.min(to) * promise.pass;
+            // gain within the ripple, and images below the rejection
+            let most = 10f64.powf(promise.ripple / 20.0) - 1.0 + 10f64.powf(-promise.rejection / 20.0);
+            for part in [0.001, 0.1, 0.37, 0.5, 0.73, 0.9, 0.97, 0.99, 1.0] {
+                let record = converted(part * band, from, to, quality);
+                let worst = record.iter().map(|&(i, v)| (v - tone(part * band, to, i)).abs()).fold(0.0, f64::max);
+                let said = decibels(worst);
+                println!("{from} → {to:.0}, {quality}, pass at {part}: {said:.1} dB");
+                assert!(worst <= most, "{from} → {to}, {quality}, {part}: {said:.1} dB");
+            }
+        }
+    }
+}
+
+#[test]
+fn tones_above_the_lower_nyquist_frequency_are_gone() {
+    for (from, to) in PAIRS.into_iter().filter(|(from, to)| from > to) {
+        for quality in Quality::ALL {
+            let promise = quality.promise();
+            for part in [0.0, 0.0003, 0.001, 0.004, 0.01, 0.1, 0.5, 0.9, 0.999] {
+                let frequency = 0.5 * (to + part * (from - to));
+                let record = converted(frequency, from, to, quality);
+                let worst = record.iter().map(|(_, v)| v.abs()).fold(0.0, f64::max);
+                let said = decibels(worst);
+                println!("{from} → {to:.0}, {quality}, stop at {part}: {said:.1} dB");
+                assert!(said <= -promise.rejection, "{from} → {to}, {quality}, {part}: {said:.1} dB");
+            }
+        }
+    }
+}
+
+#[test]
+fn tones_of_the_transition_are_weaker_and_leave_no_images() {
+    for (from, to) in PAIRS {
+        for quality in Quality::ALL {
+            let promise = quality.promise();
+            let nyquist = 0.5 * from.min(to);
+            for part in [0.1, 0.3, 0.5, 0.7, 0.9, 0.98] {
+                let frequency = nyquist * (promise.pass + part * (1.0 - promise.pass));
+                let record = converted(frequency, from, to, quality);
+                let said = decibels(without(&record, frequency, to));
+                println!("{from} → {to:.0}, {quality}, transition at {part}: {said:.1} dB");
+                assert!(said <= -promise.rejection, "{from} → {to}, {quality}, {part}: {said:.1} dB");
+            }
+        }
+    }
+}
+
+#[test]
+fn many_tones_at_once_keep_the_sum_of_their_promises() {
+    for (from, to) in PAIRS {
+        let quality = Quality::Best;
+        let promise = quality.promise();
+        let band = 0.5 * from.min(to) * promise.pass;
+        let low = from.min(to);
+        let tones: Vec<f64> = (0..60).map(|k| band * (f64::from(k) + 0.63) / 60.0).collect();
+        let sum = |rate: f64, i: usize| tones.iter().map(|&f| tone(f, rate, i)).sum::<f64>() / 60.0;
+        let record: Vec<f64> = (0..(8_000.0 * from / low) as usize).map(|i| sum(from, i)).collect();
+        let out = convert(&record, from, to, quality).expect("the pair of rates is possible");
+        let away = (1_600.0 * to / low) as usize;
+        let worst = (away..out.len() - away).map(|i| (out[i] - sum(to, i)).abs()).fold(0.0, f64::max);
+        println!("{from} → {to:.0}: {:.1} dB", decibels(worst));
+        assert!(decibels(worst) <= -promise.rejection, "{from} → {to}: {:.1} dB", decibels(worst));
+    }
+}
