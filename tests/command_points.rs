@@ -187,5 +187,5 @@ fn where_one_file_cannot_be_written_neither_is() {
     let (good, missing) = (folder.path().join("x.svg"), folder.path().join("missing").join("x.csv"));
     let output = points(&["random", "-n", "16", "-o", text(&missing), "--spectrum", text(&good)]);
     assert!(code(&output) == 2 && stderr(&output).contains("its folder does not exist"), "{}", stderr(&output));
-    assert_eq!(std::fs::read_dir(folder.path()).expect("readable").count(), 0);
+    assert_eq!(fs::read_dir(folder.path()).expect("readable").count(), 0);
 }
