@@ -123,7 +123,7 @@ fn copies(band: usize) -> Result<Figure> {
         let bins = forward(&sampled);
         let [worst, leaked] = found(&whole, &bins, step, radius);
         let apart = SIDE / step;
-        let weight = (step * step) as f64;
+        let (weight, white) = ((step * step) as f64, (SIDE * SIDE) as f64);
         figure = figure.with(picture(names[0], text!("T = {step}", "T = {step}"), &middle(&sampled)?, (0.0, weight)));
         below.push(view(names[1], &bins, step)?);
         claims.push((
@@ -131,7 +131,12 @@ fn copies(band: usize) -> Result<Figure> {
                 "T = {step}: the spectrum is the sum of copies {apart} bins apart in both directions",
                 "T = {step}: спектр есть сумма копий через {apart} отсчётов по обоим направлениям"
             ),
-            Residual::at_most("spectrum of the combed image = sum of the copies", worst, 2.0 * weight * rounding),
+            // as parts of what white would have at zero
+            Residual::at_most(
+                "spectrum of the combed image = sum of the copies",
+                worst / white,
+                2.0 * weight * rounding / white,
+            ),
         ));
         let free = apart as f64 > 2.0 * radius;
         claims.push(if free {
