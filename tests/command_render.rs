@@ -91,7 +91,7 @@ fn what_cannot_be_rendered_is_refused_with_the_reason_and_nothing_is_written() {
         (&["spheres", "-o", file, "--width=-3"], "--width"),
         (&["spheres", "-o", file, "--threads", "0"], "--threads"),
         (&["spheres", "-o", beyond.to_str().expect("text")], "its folder does not exist"),
-        (&["spheres", "-o", folder.path().to_str().expect("text")], "is a folder"),
+        (&["spheres", "-o", folder.path().to_str().expect("text")], "does not end with .png"),
         (&["spheres"], "--out"),
     ] {
         let output = render(args);
