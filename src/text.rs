@@ -134,6 +134,43 @@ pub fn number(value: f64, digits: usize) -> String {
     minus(&short)
 }
 
+/// `markup` as letters alone, for a terminal or a title: `Ш_{1/T}` becomes `Ш_(1/T)`, `x^{2}` becomes `x^2`. A brace that is
+/// not closed stays a letter.
+///
+/// ```
+/// assert_eq!(nyquist::text::plain("Ш_{1/T} и x^{2}, 10^{−15}"), "Ш_(1/T) и x^2, 10^(−15)");
+/// ```
+pub fn plain(markup: &str) -> String {
+    let mut out = String::new();
+    let mut rest = markup;
+    while let Some(c) = rest.chars().next() {
+        out.push(c);
+        rest = &rest[c.len_utf8()..];
+        let script = matches!(c, '_' | '^') && rest.starts_with('{');
+        if let Some(end) = script.then(|| closing(rest)).flatten() {
+            let inner = plain(&rest[1..end]);
+            let short = inner.chars().count() == 1;
+            out.push_str(&if short { inner } else { format!("({inner})") });
+            rest = &rest[end + 1..];
+        }
+    }
+    out
+}
+
+/// Where the brace that `text` begins with is closed.
+fn closing(text: &str) -> Option<usize> {
+    let mut depth = 0;
+    let closed = |(_, c): &(usize, char)| {
+        depth += match c {
+            '{' => 1,
+            '}' => -1,
+            _ => 0,
+        };
+        depth == 0
+    };
+    text.char_indices().find(closed).map(|(i, _)| i)
+}
+
 /// `-` before a digit becomes `−`, unless it stands inside a word or a range.
 fn minus(s: &str) -> String {
     let chars: Vec<char> = s.chars().collect();

@@ -1,12 +1,16 @@
 //! The command line: one subcommand a file, each from arguments to a library call to text.
 
+mod check;
 mod figures;
 mod files;
 mod kernel;
 mod laws;
 mod points;
 mod render;
+mod report;
 mod resample;
+mod source;
+mod spectrum;
 
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
@@ -46,6 +50,10 @@ enum Command {
     Points(points::Args),
     /// Render a scene through lens and shutter into a PNG
     Render(render::Args),
+    /// Say what band a file occupies, and what would alias at another rate or scale
+    Check(check::Args),
+    /// Compute the spectrum of a file: as a picture or as numbers
+    Spectrum(spectrum::Args),
     /// Convert a WAV file to another sampling rate
     Resample(resample::Args),
 }
@@ -90,6 +98,8 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Kernel(args)) => kernel::run(&args, &mut out),
         Some(Command::Points(args)) => points::run(&args, &mut out),
         Some(Command::Render(args)) => render::run(&args, &mut out),
+        Some(Command::Check(args)) => check::run(&args, &mut out),
+        Some(Command::Spectrum(args)) => spectrum::run(&args, &mut out),
         Some(Command::Resample(args)) => resample::run(&args, &mut out),
     };
     match done.and_then(|()| Ok(out.flush()?)) {

@@ -1,5 +1,6 @@
 //! `nyquist resample`: sound at another rate.
 
+use crate::cli::source::Source;
 use crate::cli::{Failure, files};
 use indicatif::{ProgressBar, ProgressStyle};
 use nyquist::door::wav::{Clipping, Dither, Encoding, WavFormat, WavReader, WavWriter};
@@ -7,8 +8,7 @@ use nyquist::error::Error;
 use nyquist::rate::{Converter, Quality};
 use serde_json::json;
 use std::cell::Cell;
-use std::fs::File;
-use std::io::{self, BufReader, BufWriter, ErrorKind, IsTerminal, Read, Write};
+use std::io::{self, BufWriter, ErrorKind, IsTerminal, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// Convert a WAV file to another sampling rate.
@@ -98,13 +98,8 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
         files::distinct(&args.input, &args.output)?;
         files::vacant(&args.output, args.force)?;
     }
-    let name = args.input.display().to_string();
-    let source: Box<dyn Read> = if args.input == Path::new("-") {
-        Box::new(io::stdin().lock())
-    } else {
-        Box::new(BufReader::new(File::open(&args.input).map_err(|error| Failure::trouble(&name, error))?))
-    };
-    let mut reader = WavReader::new(if name == "-" { "standard input" } else { &name }, source)?;
+    let Source { name, bytes } = Source::open(&args.input)?;
+    let mut reader = WavReader::new(&name, bytes)?;
     let from = reader.format();
     let to = from.with((args.rate.round() as u32).max(1), args.bits.unwrap_or(from.encoding()))?;
     let converter = Converter::new(f64::from(from.rate()), args.rate, from.channels(), args.quality)?;

@@ -20,6 +20,7 @@
 
 #[cfg(feature = "files")]
 mod jpeg;
+pub mod kind;
 #[cfg(feature = "files")]
 mod orientation;
 pub mod picture;

@@ -10,6 +10,7 @@ mod layer;
 mod motion;
 mod panel;
 pub mod params;
+mod portrait;
 
 pub mod common;
 pub mod labels;
@@ -23,6 +24,7 @@ pub mod patterns;
 pub mod problem;
 pub mod reconstruction;
 pub mod remedy;
+pub mod report;
 pub mod synthesis;
 
 pub mod catalog;
@@ -30,6 +32,7 @@ pub mod catalog;
 pub use layer::{Layer, Mark, Meaning, Stroke, Tones};
 pub use motion::Motion;
 pub use panel::{Legend, Panel, Scale};
+pub use portrait::Portrait;
 
 use crate::residual::Residual;
 use crate::text::Text;

@@ -4,6 +4,7 @@ pub mod data;
 pub mod html;
 pub mod index;
 pub mod markdown;
+pub mod report;
 
 use crate::error::Result;
 use crate::figure::params::Params;

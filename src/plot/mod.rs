@@ -53,7 +53,7 @@ pub use scene::{Label, Scene};
 
 use crate::error::{Error, Result, unknown};
 use crate::figure::Figure;
-use crate::text::{Lang, Text};
+use crate::text::{Lang, Text, plain};
 use canvas::Canvas;
 use chart::{Frame, Sheet};
 use layout::{Fitted, placed};
@@ -145,8 +145,8 @@ pub fn draw(title: &Text, caption: &Text, figure: &Figure, style: &Style) -> Sce
         size,
         scale,
         lang: style.lang,
-        title: typeset::plain(title.get(style.lang)),
-        about: typeset::plain(caption.get(style.lang)),
+        title: plain(title.get(style.lang)),
+        about: plain(caption.get(style.lang)),
         paper: style.theme.paper(),
         clips: Vec::new(),
         ops: Vec::new(),

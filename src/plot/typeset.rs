@@ -161,27 +161,6 @@ fn words(text: &str) -> Vec<&str> {
     words
 }
 
-/// `text` without markup, for where only letters are possible: `Ш_{1/T}` becomes `Ш_(1/T)`.
-pub(super) fn plain(text: &str) -> String {
-    fn write(items: &[Item], out: &mut String) {
-        for item in items {
-            match item {
-                Item::Letters(letters) => out.push_str(letters),
-                Item::Script { raised, of } => {
-                    out.push(if *raised { '^' } else { '_' });
-                    let mut inner = String::new();
-                    write(of, &mut inner);
-                    let short = inner.chars().count() == 1;
-                    out.push_str(&if short { inner } else { format!("({inner})") });
-                }
-            }
-        }
-    }
-    let mut out = String::new();
-    write(&parse(text), &mut out);
-    out
-}
-
 #[derive(Debug, PartialEq, Eq)]
 enum Item {
     Letters(String),
@@ -393,7 +372,6 @@ mod tests {
     fn markup_that_is_not_closed_is_text() {
         assert_eq!(parse("a_{b"), [Item::Letters("a_{b".into())]);
         assert_eq!(parse("a_b^2}"), [Item::Letters("a_b^2}".into())]);
-        assert_eq!(plain("Ш_{1/T} и x^{2}"), "Ш_(1/T) и x^2");
     }
 
     #[test]

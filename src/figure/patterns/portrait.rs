@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::figure::patterns::square::{frequencies, points_panel, power_panel};
-use crate::figure::{Figure, Layer, Meaning, Panel, Scale};
+use crate::figure::{Figure, Layer, Meaning, Panel, Portrait, Scale};
 use crate::pattern::cloud::Cloud;
 use crate::pattern::measure::summary::Summary;
 use crate::text;
@@ -10,17 +10,6 @@ use crate::text::{Text, number};
 
 /// How many points are drawn; more would be one grey.
 const DRAWN: usize = 4096;
-
-/// A figure that belongs to no catalogue, with its title and its caption.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Portrait {
-    /// What stands above it: the pattern, the number of points and the measures.
-    pub title: Text,
-    /// What can be seen in it, in sentences.
-    pub caption: Text,
-    /// Points, periodogram, radial mean and anisotropy.
-    pub figure: Figure,
-}
 
 /// Points of the plane, their periodogram, its mean and its anisotropy over the distance from zero.
 ///

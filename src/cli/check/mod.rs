@@ -1,0 +1,54 @@
+//! `nyquist check`: is this sampled well enough, and what would alias?
+
+mod picture;
+mod sound;
+mod table;
+
+use crate::cli::source::Source;
+use crate::cli::{Failure, report};
+use nyquist::door::kind::Kind;
+use nyquist::figure::report::Report;
+use serde_json::Value;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Say what band a file occupies, and what would alias, and where to, at another rate or scale.
+#[derive(Debug, clap::Args)]
+#[command(after_help = AFTER)]
+pub(super) struct Args {
+    /// A WAV, PNG, JPEG or CSV file, told apart by its first bytes; `-` is standard input
+    input: PathBuf,
+    /// How far below the signal aliases must stay, in dB
+    #[arg(long, value_name = "DB")]
+    tolerance: Option<f64>,
+    #[command(flatten)]
+    report: report::Options,
+    #[command(flatten)]
+    sound: sound::Options,
+    #[command(flatten)]
+    picture: picture::Options,
+    #[command(flatten)]
+    table: table::Options,
+}
+
+const AFTER: &str = "Exit codes: 0 fine, 1 aliases above the tolerance, 2 usage or input/output.";
+
+/// What a check found.
+struct Checked {
+    report: Report,
+    json: Value,
+    /// Whether all aliases are below the tolerance.
+    fine: bool,
+}
+
+pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
+    args.report.checked(&args.input)?;
+    let (source, kind) = Source::open_any(&args.input)?;
+    let checked = match kind {
+        Kind::Sound => sound::check(source, args),
+        Kind::Picture => picture::check(source, args),
+        Kind::Table => table::check(source, args),
+    }?;
+    args.report.deliver(&checked.report, &checked.json, out)?;
+    if checked.fine { Ok(()) } else { Err(Failure::Check) }
+}

@@ -1,0 +1,14 @@
+//! `nyquist check` of sounds.
+
+use crate::cli::Failure;
+use crate::cli::check::{Args, Checked};
+use crate::cli::source::Source;
+
+/// What can be said of sounds alone.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Sound")]
+pub(super) struct Options {}
+
+pub(super) fn check(source: Source, _args: &Args) -> Result<Checked, Failure> {
+    Err(Failure::trouble(source.name, "sounds cannot be checked yet"))
+}

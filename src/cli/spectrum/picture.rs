@@ -1,0 +1,14 @@
+//! `nyquist spectrum` of pictures.
+
+use crate::cli::Failure;
+use crate::cli::source::Source;
+use crate::cli::spectrum::{Args, Computed};
+
+/// What can be said of pictures alone.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Pictures")]
+pub(super) struct Options {}
+
+pub(super) fn spectrum(source: Source, _args: &Args) -> Result<Computed, Failure> {
+    Err(Failure::trouble(source.name, "the spectrum of pictures cannot be computed yet"))
+}
