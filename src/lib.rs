@@ -78,7 +78,7 @@
 //! | none | the library: transforms, sampling, replication, kernels, reconstruction, laws, and figures as data |
 //! | `plot` | figures drawn as SVG, PNG and PDF (plotters, and an embedded font: nothing of the system is used) |
 //! | `files` | images from PNG and JPEG files, and to PNG |
-//! | `threads` | films on several threads; the bits are the same |
+//! | `threads` | films and large transforms on several threads; the bits are the same |
 //! | `cli` (default) | the command `nyquist` |
 
 pub mod antialias;
@@ -86,6 +86,7 @@ pub mod axis;
 pub mod beyond;
 pub mod comb;
 pub mod door;
+pub mod engine;
 pub mod error;
 pub mod field;
 pub mod figure;
@@ -153,7 +154,7 @@ pub mod prelude {
     pub use crate::field::{ExactMean, Field, FourierField, from_fn as field_fn};
     pub use crate::film::{Exposure, Film, Sample};
     pub use crate::grid::Grid;
-    pub use crate::image::dft::{forward as image_forward, inverse as image_inverse};
+    pub use crate::image::dft::{forward as image_forward, inverse as image_inverse, power as image_power};
     pub use crate::image::filter::{Filter, Shape};
     pub use crate::image::lattice::Lattice;
     pub use crate::image::{Image, ImageBins, Rgb};

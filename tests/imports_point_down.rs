@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 29] = [
+const FLOORS: [&str; 30] = [
     "error",
     "text",
     "num",
@@ -13,6 +13,7 @@ const FLOORS: [&str; 29] = [
     "residual",
     "axis",
     "grid",
+    "engine",
     "spectrum",
     "pattern",
     "signal",

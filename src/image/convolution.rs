@@ -1,11 +1,11 @@
 //! Convolution of images, by FFT and directly.
 
 use crate::axis::{Axis, Edge};
+use crate::engine::fft::fast_length;
 use crate::error::{Error, Result, all_finite};
 use crate::grid::Grid;
 use crate::image::dft::{forward, inverse};
 use crate::image::{Image, ImageBins};
-use crate::sampled::plan::fast_length;
 use ndarray::{Array2, Slice};
 
 /// `(f ⊗ g)(x, y) ≈ ΔxΔy Σ f(x_i, y_j) g(x − x_i, y − y_j)`: the linear convolution, as large as both together less one.

@@ -1,8 +1,8 @@
 //! Ratios of whole numbers: window by window, through the spectrum.
 
+use crate::engine::fft::{Butterflies, RealFft, fast_length};
 use crate::rate::design::LowPass;
 use crate::rate::quality::Quality;
-use crate::sampled::plan::{RealPlan, fast_length};
 use num_complex::Complex;
 
 /// Windows are at least so long, at the lower rate.
@@ -13,10 +13,12 @@ const MOST_WINDOW: usize = 1 << 20;
 /// more than one component.
 const MARGIN: f64 = 8.0;
 
+const WINDOW: &str = "rooms are as long as their windows";
+
 /// A conversion by `up/down`, low-passed: what all channels share.
 pub(super) struct Blocks {
-    forward: RealPlan,
-    inverse: RealPlan,
+    forward: RealFft<f64>,
+    inverse: RealFft<f64>,
     /// The filter at the frequencies that both windows have, over the length of the input's window.
     gains: Vec<f64>,
     up: usize,
@@ -40,11 +42,12 @@ impl Blocks {
             taps[(low - i) % low] = taps[i];
         }
         let mut spectrum = vec![Complex::default(); low / 2 + 1];
-        RealPlan::forward(low).transform(&taps, &mut spectrum, &mut Vec::new());
+        let real_fft = |n| RealFft::with(n, Butterflies::Scalar).expect(WINDOW);
+        real_fft(low).forward(&taps, &mut spectrum).expect(WINDOW);
         // divided by the sum of the taps, so that a constant stays one
         let scale = 1.0 / (spectrum[0].re * (down * window) as f64);
         let gains = spectrum[..low / 2].iter().map(|z| z.re * scale).collect();
-        let (forward, inverse) = (RealPlan::forward(down * window), RealPlan::inverse(up * window));
+        let (forward, inverse) = (real_fft(down * window), real_fft(up * window));
         Self { forward, inverse, gains, up, down, window, side }
     }
 
@@ -60,7 +63,6 @@ impl Blocks {
         Lane {
             queue: vec![0.0; self.side * self.down],
             spectrum: vec![Complex::default(); longest / 2 + 1],
-            work: Vec::new(),
             window: vec![0.0; self.up * self.window],
         }
     }
@@ -71,12 +73,12 @@ impl Blocks {
         let mut at = 0;
         while lane.queue.len() - at >= length {
             let half = &mut lane.spectrum[..length / 2 + 1];
-            self.forward.transform(&lane.queue[at..at + length], half, &mut lane.work);
+            self.forward.forward(&lane.queue[at..at + length], half).expect(WINDOW);
             let half = &mut lane.spectrum[..self.window * self.up / 2 + 1];
             let common = self.gains.len();
             half[..common].iter_mut().zip(&self.gains).for_each(|(z, gain)| *z *= gain);
             half[common..].fill(Complex::default());
-            self.inverse.restore(half, &mut lane.window, &mut lane.work);
+            self.inverse.inverse(half, &mut lane.window).expect(WINDOW);
             out.extend_from_slice(&lane.window[self.side * self.up..][..kept * self.up]);
             at += kept * self.down;
         }
@@ -108,6 +110,5 @@ fn plan(up: usize, down: usize, scale: f64, quality: Quality) -> (LowPass, usize
 pub(super) struct Lane {
     pub(super) queue: Vec<f64>,
     spectrum: Vec<Complex<f64>>,
-    work: Vec<Complex<f64>>,
     window: Vec<f64>,
 }

@@ -1,9 +1,8 @@
 //! The discrete Fourier transform in physical units.
 
 use crate::axis::Axis;
-use crate::error::{Error, Result};
-use crate::num::{cos_pi, sin_pi};
-use crate::sampled::plan::{Plan, RealPlan};
+use crate::engine::fft::{Butterflies, Fft, PhysicalFft, PhysicalRealFft, RealFft};
+use crate::error::Result;
 use crate::sampled::{Bins, Samples};
 use num_complex::Complex;
 
@@ -15,7 +14,8 @@ use num_complex::Complex;
 /// rate and have decayed at both ends. The values at `±ν` are conjugates, since samples are real.
 ///
 /// An even number of samples is transformed as half as many complex ones (half the cost); any length works, in
-/// `O(n log n)`. The transform is the scalar one, so that every processor gives the same bits.
+/// `O(n log n)`; a large one uses all threads. The transform is the scalar one, so that every processor gives the same
+/// bits; [`PhysicalRealFft`] of the engine is planned once for many records, and as fast as the processor can.
 ///
 /// ```
 /// use nyquist::prelude::*;
@@ -27,24 +27,28 @@ use num_complex::Complex;
 /// # Ok::<(), Error>(())
 /// ```
 pub fn forward(samples: &Samples) -> Bins {
-    let n = samples.values().len();
-    let mut spectrum = real_dft(samples.values());
-    to_physical(samples.axis(), &mut spectrum);
-    spectrum.rotate_right(n / 2);
-    Bins::trusted(samples.axis(), spectrum)
+    let (axis, n) = (samples.axis(), samples.values().len());
+    // the half goes where it belongs, and its mirror image before it
+    let mut values = vec![Complex::ZERO; n / 2 + n / 2 + 1];
+    let plan = PhysicalRealFft::with(axis, Butterflies::Scalar);
+    plan.forward(samples.values(), &mut values[n / 2..]).expect(POSITIONS);
+    for k in 1..=n / 2 {
+        values[n / 2 - k] = values[n / 2 + k].conj();
+    }
+    values.truncate(n);
+    Bins::trusted(axis, values)
 }
+
+const POSITIONS: &str = "there are as many values as positions, and at least one";
 
 /// [`forward`] for complex values on an axis.
 ///
 /// # Errors
 /// A number of values other than the axis has positions; values that are not finite.
 pub fn forward_complex(space: Axis, values: &[Complex<f64>]) -> Result<Bins> {
-    let checked = Bins::new(space, values.to_vec())?;
-    let mut spectrum = checked.into_values();
-    Plan::forward(spectrum.len()).run(&mut spectrum);
-    to_physical(space, &mut spectrum);
-    spectrum.rotate_right(space.len() / 2);
-    Ok(Bins::trusted(space, spectrum))
+    let mut bins = Bins::new(space, values.to_vec())?.into_values();
+    PhysicalFft::with(space, Butterflies::Scalar).forward(values, &mut bins)?;
+    Ok(Bins::trusted(space, bins))
 }
 
 /// `f(x_j) = (1/span) Σ_k F(ν_k) e^{2πiν_k x_j}`: the samples back from their bins, real part.
@@ -66,15 +70,8 @@ pub fn inverse(bins: &Bins) -> Samples {
 
 /// [`inverse`] without dropping the imaginary part.
 pub fn inverse_complex(bins: &Bins) -> Vec<Complex<f64>> {
-    let space = bins.space();
-    let n = space.len();
-    let mut values = bins.values().to_vec();
-    values.rotate_left(n / 2);
-    let gain = 1.0 / space.span();
-    for (k, value) in signed(n).zip(values.iter_mut()) {
-        *value *= phase(k, space).conj() * gain;
-    }
-    Plan::inverse(n).run(&mut values);
+    let mut values = vec![Complex::ZERO; bins.values().len()];
+    PhysicalFft::with(bins.space(), Butterflies::Scalar).inverse(bins.values(), &mut values).expect(POSITIONS);
     values
 }
 
@@ -83,7 +80,7 @@ pub fn inverse_complex(bins: &Bins) -> Vec<Complex<f64>> {
 /// # Errors
 /// No values, or values that are not finite.
 pub fn dft(values: &[f64]) -> Result<Vec<Complex<f64>>> {
-    crate::error::all_finite("values to transform", values).map(real_dft)
+    crate::error::all_finite("values to transform", values).and_then(real_dft)
 }
 
 /// The plain sum with the positive exponent, divided by `n`: the inverse of [`dft`], real part.
@@ -92,45 +89,18 @@ pub fn dft(values: &[f64]) -> Result<Vec<Complex<f64>>> {
 /// No values.
 pub fn inverse_dft(spectrum: &[Complex<f64>]) -> Result<Vec<f64>> {
     let n = spectrum.len();
-    if n == 0 {
-        return Err(Error::TooFew { what: "values to transform", least: 1, got: 0 });
-    }
-    let mut values = spectrum.to_vec();
-    Plan::inverse(n).run(&mut values);
+    let mut values = vec![Complex::ZERO; n];
+    Fft::with(n, Butterflies::Scalar)?.inverse(spectrum, &mut values)?;
     Ok(values.into_iter().map(|v| v.re / n as f64).collect())
 }
 
-/// Real values: an even number at half the cost, and the other half of the spectrum by its symmetry.
-fn real_dft(values: &[f64]) -> Vec<Complex<f64>> {
+/// The half of the spectrum, and the other half by its symmetry.
+fn real_dft(values: &[f64]) -> Result<Vec<Complex<f64>>> {
     let n = values.len();
-    if n % 2 == 1 {
-        let mut full: Vec<Complex<f64>> = values.iter().map(|&v| v.into()).collect();
-        Plan::forward(n).run(&mut full);
-        return full;
+    let mut full = vec![Complex::ZERO; n.max(n / 2 + 1)];
+    RealFft::with(n, Butterflies::Scalar)?.forward(values, &mut full[..=n / 2])?;
+    for k in 1..n.div_ceil(2) {
+        full[n - k] = full[k].conj();
     }
-    let mut full = vec![Complex::ZERO; n];
-    RealPlan::forward(n).transform(values, &mut full[..=n / 2], &mut Vec::new());
-    for k in 0..=n / 2 {
-        full[(n - k) % n] = full[k].conj();
-    }
-    full
-}
-
-/// `T·e^{−2πiν_k·start}` on every value, in the plain order.
-fn to_physical(space: Axis, spectrum: &mut [Complex<f64>]) {
-    for (k, value) in signed(spectrum.len()).zip(spectrum.iter_mut()) {
-        *value *= phase(k, space) * space.step();
-    }
-}
-
-/// The signed indices `0, 1, …, −2, −1` of the plain order, with `−n/2` for even `n`.
-pub(crate) fn signed(n: usize) -> impl Iterator<Item = i64> {
-    let (n, least) = (n as i64, -(n as i64 / 2));
-    (0..n).map(move |k| if k - n >= least { k - n } else { k })
-}
-
-/// `e^{−2πiν_k·start}`; the turns are reduced before they are multiplied by π.
-pub(crate) fn phase(k: i64, space: Axis) -> Complex<f64> {
-    let turns = 2.0 * k as f64 * (space.start() / space.span());
-    Complex::new(cos_pi(turns), -sin_pi(turns))
+    Ok(full)
 }

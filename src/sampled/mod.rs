@@ -6,7 +6,6 @@ pub mod dft;
 pub mod dtft;
 pub mod nonuniform;
 pub mod occupied;
-pub(crate) mod plan;
 pub mod power;
 mod samples;
 pub mod window;

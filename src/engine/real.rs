@@ -1,0 +1,41 @@
+//! The numbers that engines compute with.
+
+use std::ops::{AddAssign, MulAssign, SubAssign};
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// `f32` or `f64`.
+pub trait Real:
+    num_traits::Float
+    + num_traits::FromPrimitive
+    + num_traits::Signed
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + Default
+    + std::fmt::Debug
+    + bytemuck::Pod
+    + Send
+    + Sync
+    + sealed::Sealed
+    + 'static
+{
+    /// The nearest number to `value`.
+    fn of(value: f64) -> Self;
+}
+
+impl Real for f64 {
+    fn of(value: f64) -> Self {
+        value
+    }
+}
+
+impl Real for f32 {
+    fn of(value: f64) -> Self {
+        value as Self
+    }
+}
