@@ -95,6 +95,7 @@ pub mod film;
 pub mod gallery;
 pub mod grid;
 pub mod image;
+pub mod inspect;
 pub mod kernel;
 pub mod laws;
 pub mod num;
@@ -193,7 +194,7 @@ pub mod prelude {
     pub use crate::pattern::scrambling::Scrambling;
     pub use crate::pattern::sobol::Sobol;
     pub use crate::pattern::zero_two::ZeroTwo;
-    pub use crate::rate::{Converter, Quality, convert};
+    pub use crate::rate::{Converter, Quality, Response, convert};
     pub use crate::reconstruct::{Reconstruction, reconstruct};
     pub use crate::residual::Residual;
     pub use crate::resolve::{Ends, Resolution, Resolved, resolve, resolve_up_to};
@@ -202,6 +203,8 @@ pub mod prelude {
     pub use crate::sampled::dtft::dtft;
     pub use crate::sampled::occupied::occupied_band;
     pub use crate::sampled::power::{periodogram, power};
+    pub use crate::sampled::segments::{Detrend, Segments};
+    pub use crate::sampled::welch::{Welch, welch};
     pub use crate::sampled::window::Window;
     pub use crate::sampled::{Bins, Samples};
     pub use crate::scene::camera::LensCamera;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 30] = [
+const FLOORS: [&str; 31] = [
     "error",
     "text",
     "num",
@@ -31,6 +31,7 @@ const FLOORS: [&str; 30] = [
     "scene",
     "beyond",
     "resolve",
+    "inspect",
     "laws",
     "figure",
     "plot",

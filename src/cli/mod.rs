@@ -9,6 +9,7 @@ mod points;
 mod render;
 mod report;
 mod resample;
+mod sound;
 mod source;
 mod spectrum;
 

@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 
 /// Where a report goes.
 #[derive(Debug, clap::Args)]
+#[group(skip)]
 pub(super) struct Options {
     /// Also write the report as a picture (.svg, .png, .pdf) or as a page with all numbers (.html)
     #[arg(short = 'o', long = "out", value_name = "REPORT")]

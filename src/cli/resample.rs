@@ -1,14 +1,14 @@
 //! `nyquist resample`: sound at another rate.
 
+use crate::cli::sound::{note, note_oddities, open, pump, quotient};
 use crate::cli::source::Source;
 use crate::cli::{Failure, files};
-use indicatif::{ProgressBar, ProgressStyle};
 use nyquist::door::wav::{Clipping, Dither, Encoding, WavFormat, WavReader, WavWriter};
 use nyquist::error::Error;
 use nyquist::rate::{Converter, Quality};
 use serde_json::json;
 use std::cell::Cell;
-use std::io::{self, BufWriter, ErrorKind, IsTerminal, Read, Write};
+use std::io::{self, BufWriter, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// Convert a WAV file to another sampling rate.
@@ -66,11 +66,7 @@ fn after_help() -> String {
 
 /// A number of Hz, or a quotient of two.
 fn rate(text: &str) -> Result<f64, String> {
-    let number = |part: &str| part.trim().parse::<f64>().map_err(|_| format!("\"{part}\" is no number"));
-    let rate = match text.split_once('/') {
-        Some((above, below)) => number(above)? / number(below)?,
-        None => number(text)?,
-    };
+    let rate = quotient(text)?;
     // a header can say whole numbers of 32 bits
     if rate >= 0.5 && rate <= f64::from(u32::MAX) {
         Ok(rate)
@@ -98,8 +94,7 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
         files::distinct(&args.input, &args.output)?;
         files::vacant(&args.output, args.force)?;
     }
-    let Source { name, bytes } = Source::open(&args.input)?;
-    let mut reader = WavReader::new(&name, bytes)?;
+    let mut reader = open(Source::open(&args.input)?)?;
     let from = reader.format();
     let to = from.with((args.rate.round() as u32).max(1), args.bits.unwrap_or(from.encoding()))?;
     let converter = Converter::new(f64::from(from.rate()), args.rate, from.channels(), args.quality)?;
@@ -116,7 +111,7 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
         let closed = Cell::new(false);
         let sink = Pipe { sink: BufWriter::new(out.by_ref()), closed: &closed };
         let written = WavWriter::new("standard output", sink, to, frames, dither)
-            .and_then(|mut writer| pump(&mut reader, converter, &mut writer).and_then(|()| Ok(writer.finish()?.1)));
+            .and_then(|mut writer| convert(&mut reader, converter, &mut writer).and_then(|()| Ok(writer.finish()?.1)));
         match written {
             Err(_) if closed.get() => return Err(Failure::ClosedPipe),
             written => written?,
@@ -124,7 +119,7 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     } else {
         files::write_seek(&args.output, |file| {
             let mut writer = WavWriter::new(&args.output.display().to_string(), file, to, frames, dither)?;
-            pump(&mut reader, converter, &mut writer)?;
+            convert(&mut reader, converter, &mut writer)?;
             Ok(writer.finish_seek()?.1)
         })?
     };
@@ -133,22 +128,19 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
 }
 
 /// Block after block, to the end.
-fn pump<R: Read, W: Write>(
+fn convert<R: Read, W: Write>(
     reader: &mut WavReader<R>,
     mut converter: Converter,
     writer: &mut WavWriter<W>,
 ) -> Result<(), Error> {
-    let progress = progress(reader.frames());
-    let (mut block, mut converted) = (Vec::new(), Vec::new());
-    while reader.read(reader.block(), &mut block)? > 0 {
-        converter.push(&block, &mut converted)?;
+    let mut converted = Vec::new();
+    pump(reader, |block| {
+        converter.push(block, &mut converted)?;
         writer.write(&converted)?;
-        block.clear();
         converted.clear();
-        progress.set_position(reader.position());
-    }
+        Ok(())
+    })?;
     converter.finish(&mut converted);
-    progress.finish_and_clear();
     writer.write(&converted)
 }
 
@@ -159,12 +151,7 @@ fn tell<R: Read>(reader: &WavReader<R>, wanted: Encoding, clipping: &Clipping) {
         let times = if count == 1 { String::new() } else { format!("{count} times, ") };
         note(&format!("the chunk \"{name}\" ({times}{bytes} bytes) is not carried over"));
     }
-    if reader.trailing() > 0 {
-        note(&format!("{} bytes after the sound are no chunk: ignored", reader.trailing()));
-    }
-    if !reader.byte_rate_fits() {
-        note("the header's bytes a second are not frames times rate: ignored");
-    }
+    note_oddities(reader);
     if let Some(first) = clipping.first_frame {
         let (samples, peak) = (clipping.samples, 20.0 * clipping.peak.log10());
         note(&format!(
@@ -208,25 +195,6 @@ fn report<R: Read>(
         "trailing_bytes": reader.trailing(),
     });
     Ok(writeln!(out, "{value:#}")?)
-}
-
-/// A word on standard error; if that is closed there is nobody to tell.
-fn note(words: &str) {
-    let _ = writeln!(io::stderr(), "note: {words}");
-}
-
-fn progress(frames: Option<u64>) -> ProgressBar {
-    if !io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let (bar, template) = match frames {
-        Some(frames) => (ProgressBar::new(frames), "{wide_bar} {percent} % {eta}"),
-        None => (ProgressBar::no_length(), "{spinner} {human_pos} frames"),
-    };
-    match ProgressStyle::with_template(template) {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
 }
 
 /// Standard output, which remembers that its reader has gone.

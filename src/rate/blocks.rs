@@ -9,9 +9,6 @@ use num_complex::Complex;
 const LEAST_WINDOW: usize = 2048;
 /// Windows are not made longer than this only to throw away less of them.
 const MOST_WINDOW: usize = 1 << 20;
-/// What the filter is better than its promise, in dB: the windows cut it at its stop-band's first ripple, and signals have
-/// more than one component.
-const MARGIN: f64 = 8.0;
 
 const WINDOW: &str = "rooms are as long as their windows";
 
@@ -95,9 +92,7 @@ impl Blocks {
 
 /// The filter in samples of the lower rate, the length of windows and of their sides.
 fn plan(up: usize, down: usize, scale: f64, quality: Quality) -> (LowPass, usize, usize) {
-    let promise = quality.promise();
-    let nyquist = 0.5 * scale;
-    let filter = LowPass::new(promise.pass * nyquist, nyquist, promise.rejection + MARGIN);
+    let filter = quality.low_pass(0.5 * scale);
     let reach = filter.radius().ceil() as usize + 1;
     let (low, high) = (up.min(down), up.max(down));
     let side = reach.div_ceil(low);

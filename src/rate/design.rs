@@ -57,6 +57,30 @@ impl LowPass {
         self.beta
     }
 
+    /// The most that a tone of `nu` cycles a step is multiplied by: the response `1 − E` below the edge and `E` above it, up
+    /// to where `E` has fallen to its first ripple, and from there a bound of its ripples, `δ(β)·x₀/x`.
+    ///
+    /// The ripples are `E = (1/π)∫ₓ^∞ W`, an alternating sum whose terms fall as `1/x`.
+    ///
+    /// ```
+    /// use nyquist::rate::design::LowPass;
+    /// let filter = LowPass::new(0.45, 0.5, 120.0);
+    /// assert!((filter.gain(0.475) - 0.5).abs() < 1e-9); // in the middle of the transition
+    /// assert!((filter.gain(0.4) - 1.0).abs() < 1e-6);
+    /// assert!(filter.gain(0.5) < 1e-6 && filter.gain(0.7) < 0.3e-6);
+    /// ```
+    pub fn gain(&self, nu: f64) -> f64 {
+        let x = 2.0 * PI * self.radius * (nu.abs() - self.edge);
+        let first = (self.beta * self.beta + PI * PI).sqrt();
+        let ripple = overshoot(self.beta);
+        match x {
+            _ if x <= -first => 1.0 + ripple * first / -x,
+            _ if x <= 0.0 => 1.0 - error(self.beta, -x),
+            _ if x <= first => error(self.beta, x).max(ripple),
+            _ => ripple * first / x,
+        }
+    }
+
     /// `k(t) = 2ν_c·sinc(2ν_c t)·I₀(β√(1−(t/r)²))/I₀(β)`.
     pub fn at(&self, t: f64) -> f64 {
         let inside = 1.0 - (t / self.radius) * (t / self.radius);
@@ -67,9 +91,13 @@ impl LowPass {
     }
 }
 
-/// `δ(β) = (1/π)∫₀^{x₀} W − ½`, by Simpson's rule: `W` is entire, and no narrower than `√β`.
+/// `δ(β) = (1/π)∫₀^{x₀} W − ½`.
 fn overshoot(beta: f64) -> f64 {
-    let end = (beta * beta + PI * PI).sqrt();
+    -error(beta, (beta * beta + PI * PI).sqrt())
+}
+
+/// `E(x) = ½ − (1/π)∫₀ˣ W`, by Simpson's rule: `W` is entire, and no narrower than `√β`.
+fn error(beta: f64, end: f64) -> f64 {
     const PANELS: u32 = 1024;
     let window = |i: u32| {
         let x = end * f64::from(i) / f64::from(PANELS);
@@ -83,7 +111,7 @@ fn overshoot(beta: f64) -> f64 {
     };
     let inner: f64 = (1..PANELS).map(|i| if i % 2 == 1 { 4.0 } else { 2.0 } * window(i)).sum();
     let integral = (window(0) + inner + window(PANELS)) * end / (3.0 * f64::from(PANELS));
-    integral / (PI * bessel_i0(beta)) - 0.5
+    0.5 - integral / (PI * bessel_i0(beta))
 }
 
 #[cfg(test)]

@@ -31,7 +31,9 @@ mod converter;
 pub mod design;
 mod quality;
 mod ratio;
+mod response;
 
 pub use converter::{Converter, convert};
 pub use quality::{Promise, Quality};
 pub use ratio::Ratio;
+pub use response::Response;

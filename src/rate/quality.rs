@@ -1,6 +1,7 @@
 //! What a conversion promises, in numbers.
 
 use crate::error::{Error, Result, unknown};
+use crate::rate::design::LowPass;
 use std::fmt;
 use std::str::FromStr;
 
@@ -14,6 +15,10 @@ pub enum Quality {
     /// 200 dB: below what 32 bits tell apart.
     Best,
 }
+
+/// What the filter is better than its promise, in dB: the windows cut it at its stop-band's first ripple, and signals have
+/// more than one component.
+const MARGIN: f64 = 8.0;
 
 /// The numbers behind a [`Quality`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,6 +47,12 @@ impl Quality {
             Self::High => Promise { pass: 0.96, ripple: 3e-7, rejection: 150.0 },
             Self::Best => Promise { pass: 0.99, ripple: 1e-9, rejection: 200.0 },
         }
+    }
+
+    /// The filter that keeps the promise, where the lower of both Nyquist frequencies is `nyquist` cycles a step.
+    pub(super) fn low_pass(self, nyquist: f64) -> LowPass {
+        let promise = self.promise();
+        LowPass::new(promise.pass * nyquist, nyquist, promise.rejection + MARGIN)
     }
 
     /// Its name.

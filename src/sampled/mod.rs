@@ -8,6 +8,9 @@ pub mod nonuniform;
 pub mod occupied;
 pub mod power;
 mod samples;
+pub mod segments;
+pub mod spectrogram;
+pub mod welch;
 pub mod window;
 
 pub use bins::Bins;

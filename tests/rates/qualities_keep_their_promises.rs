@@ -1,7 +1,7 @@
 //! Tones below the end of the pass-band come through, at their phase; tones above the lower Nyquist frequency do not; and in
 //! between nothing lands anywhere else.
 
-use nyquist::num::{cos_pi, sin_pi};
+use crate::tones::{decibels, tone, without};
 use nyquist::rate::{Quality, convert};
 
 /// The pairs of rates: up, down, simple and not, and two that are no ratios of small numbers.
@@ -16,12 +16,6 @@ const PAIRS: [(f64, f64); 8] = [
     (48_000.0, 48_000.0 / (3.0 * std::f64::consts::E)),
 ];
 
-/// How many periods pass until sample `i`, with its phase: the closed form, reduced before it is multiplied by π.
-fn tone(frequency: f64, rate: f64, i: usize) -> f64 {
-    let cycles = frequency / rate * i as f64;
-    sin_pi(2.0 * (cycles - cycles.floor()) + 0.3)
-}
-
 /// The middle of a tone after conversion, away from its ends by more than the longest filter: (index, value).
 fn converted(frequency: f64, from: f64, to: f64, quality: Quality) -> Vec<(usize, f64)> {
     let low = from.min(to);
@@ -31,32 +25,6 @@ fn converted(frequency: f64, from: f64, to: f64, quality: Quality) -> Vec<(usize
     let away = (1_600.0 * to / low) as usize;
     let end = out.len() - away;
     out.into_iter().enumerate().take(end).skip(away).collect()
-}
-
-/// What is left of a record when the tone of this frequency is taken away, whatever its amplitude and phase.
-fn without(record: &[(usize, f64)], frequency: f64, rate: f64) -> f64 {
-    let basis = |i: usize| {
-        let cycles = frequency / rate * i as f64;
-        let t = 2.0 * (cycles - cycles.floor());
-        [cos_pi(t), sin_pi(t)]
-    };
-    // normal equations of two unknowns
-    let (mut cc, mut cs, mut ss, mut yc, mut ys) = (0.0, 0.0, 0.0, 0.0, 0.0);
-    for &(i, v) in record {
-        let [c, s] = basis(i);
-        (cc, cs, ss, yc, ys) = (cc + c * c, cs + c * s, ss + s * s, yc + v * c, ys + v * s);
-    }
-    let det = cc * ss - cs * cs;
-    let (a, b) = ((yc * ss - ys * cs) / det, (ys * cc - yc * cs) / det);
-    let rest = record.iter().map(|&(i, v)| {
-        let [c, s] = basis(i);
-        (v - a * c - b * s).abs()
-    });
-    rest.fold(0.0, f64::max)
-}
-
-fn decibels(v: f64) -> f64 {
-    20.0 * v.log10()
 }
 
 #[test]

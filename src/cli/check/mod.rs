@@ -4,6 +4,7 @@ mod picture;
 mod sound;
 mod table;
 
+use crate::cli::sound::quotient;
 use crate::cli::source::Source;
 use crate::cli::{Failure, report};
 use nyquist::door::kind::Kind;
@@ -14,11 +15,14 @@ use std::path::PathBuf;
 
 /// Say what band a file occupies, and what would alias, and where to, at another rate or scale.
 #[derive(Debug, clap::Args)]
-#[command(after_help = AFTER)]
+#[command(after_help = [sound::HELP, CODES].concat())]
 pub(super) struct Args {
     /// A WAV, PNG, JPEG or CSV file, told apart by its first bytes; `-` is standard input
     input: PathBuf,
-    /// How far below the signal aliases must stay, in dB
+    /// The rate of sounds and tables to sample at, in Hz or per unit of the table's times: 8000, 44.1 or 48000/1.001
+    #[arg(short = 'r', long, value_name = "R", value_parser = quotient)]
+    rate: Option<f64>,
+    /// The least signal-to-alias ratio in dB: how far below the signal all aliases together must stay
     #[arg(long, value_name = "DB")]
     tolerance: Option<f64>,
     #[command(flatten)]
@@ -31,7 +35,7 @@ pub(super) struct Args {
     table: table::Options,
 }
 
-const AFTER: &str = "Exit codes: 0 fine, 1 aliases above the tolerance, 2 usage or input/output.";
+const CODES: &str = "Exit codes: 0 fine, 1 aliases above the tolerance, 2 usage or input/output.";
 
 /// What a check found.
 struct Checked {

@@ -8,7 +8,9 @@ use crate::cli::source::Source;
 use crate::cli::{Failure, files};
 use nyquist::door::kind::Kind;
 use nyquist::figure::Portrait;
+use nyquist::figure::report::Quantity;
 use nyquist::plot::{Format, Style, Theme, draw};
+use nyquist::sampled::window::Window;
 use nyquist::text::Lang;
 use serde_json::Value;
 use std::io::Write;
@@ -16,12 +18,19 @@ use std::path::{Path, PathBuf};
 
 /// Compute the spectrum of a file: as a picture, as CSV or as JSON.
 #[derive(Debug, clap::Args)]
+#[command(after_help = sound::HELP)]
 pub(super) struct Args {
     /// A WAV, PNG, JPEG or CSV file, told apart by its first bytes; `-` is standard input
     input: PathBuf,
     /// What to write: a picture (.svg, .png, .pdf) or numbers (.csv, .json); `-` is CSV on standard output
     #[arg(short = 'o', long = "out", value_name = "OUT")]
     out: PathBuf,
+    /// What of each frequency: amplitude, or density (mean square per unit of frequency)
+    #[arg(long, default_value = "amplitude")]
+    quantity: Quantity,
+    /// The window: rectangular, hann, hamming, blackman, blackman-harris, flat-top, gaussian:SIGMA or kaiser:BETA
+    #[arg(long, default_value = "hann")]
+    window: Window,
     /// The language of the picture: en or ru
     #[arg(long, default_value = "en")]
     lang: Lang,

@@ -7,6 +7,7 @@ use crate::cli::spectrum::{Args, Computed};
 /// What can be said of pictures alone.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Pictures")]
+#[group(skip)]
 pub(super) struct Options {}
 
 pub(super) fn spectrum(source: Source, _args: &Args) -> Result<Computed, Failure> {

@@ -3,8 +3,53 @@
 //! A report is data, as a figure is: the command line prints its sections, the page shows them around the picture, and
 //! tests ask it for its numbers.
 
+pub mod sound;
+
+use crate::error::{Error, unknown};
 use crate::figure::Portrait;
 use crate::text::Text;
+use std::fmt;
+use std::str::FromStr;
+
+/// What a spectrum says of each frequency.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Quantity {
+    /// The amplitude of a sinusoid.
+    #[default]
+    Amplitude,
+    /// The mean square per unit of frequency.
+    Density,
+}
+
+impl Quantity {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Amplitude, Self::Density];
+
+    /// Its name: `amplitude`, `density`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Amplitude => "amplitude",
+            Self::Density => "density",
+        }
+    }
+}
+
+/// The name.
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Reads a quantity's name.
+impl FromStr for Quantity {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self, Error> {
+        let found = Self::ALL.into_iter().find(|quantity| quantity.name() == name);
+        found.ok_or_else(|| unknown("quantity", name, Self::ALL.map(Self::name)))
+    }
+}
 
 /// What was found.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,0 +1,132 @@
+//! The question and its answer: is this sampled well enough, and would it be at another rate?
+
+use crate::error::{Result, within};
+use crate::inspect::sound::ending::Ending;
+use crate::inspect::sound::forecast::{Forecast, Way};
+use crate::inspect::sound::levels::dbfs;
+use crate::inspect::sound::meter::Sound;
+use crate::rate::Ratio;
+
+/// The tolerance where none is given, in dB: aliases hold a millionth of the signal's power.
+///
+/// Telephone filters leave about 40 dB, the noise of 16 bits lies 98 dB below a sine of full scale.
+pub const TOLERANCE: f64 = 60.0;
+
+/// A sound held against a tolerance, at its own rate or at another.
+///
+/// At another rate the ratio is that of the signal to its aliases under [plain](Way::Plain) sampling. At its own nobody can
+/// tell from the samples what has folded; the ratio is then that of all power to that of the last sixteenth of the
+/// spectrum, since what lay as near beyond the Nyquist frequency will have been about as strong.
+///
+/// ```
+/// use nyquist::inspect::sound::{Check, Meter};
+/// use nyquist::num::sin_pi;
+/// let tone = |f: f64, i: u32| sin_pi(2.0 * (f / 48_000.0 * f64::from(i)).fract());
+/// let mut meter = Meter::new(48_000.0, 1)?;
+/// meter.push(&(0..48_000).map(|i| 0.5 * tone(1_000.0, i) + 0.005 * tone(9_100.0, i)).collect::<Vec<_>>())?;
+/// let sound = meter.finish()?;
+/// assert!(Check::new(sound.clone(), None, 60.0)?.fine());
+/// let check = Check::new(sound, Some(16_000.0), 60.0)?;
+/// // squared windows add up to a constant within 0.013 dB
+/// assert!(!check.fine() && (check.ratio() - 40.0).abs() < 0.02);
+/// assert_eq!(check.sound().smallest_rate(60.0), Some(22_050));
+/// # Ok::<(), nyquist::error::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Check {
+    sound: Sound,
+    rate: Option<f64>,
+    tolerance: f64,
+    forecasts: Vec<Forecast>,
+    worst: usize,
+    ratio: f64,
+}
+
+impl Check {
+    /// Whether there can be a check of a sound of rate `own`, before it has been heard.
+    ///
+    /// # Errors
+    /// Those of [`Check::new`].
+    pub fn possible(own: f64, rate: Option<f64>, tolerance: f64) -> Result<()> {
+        within("the tolerance in dB", tolerance, 0.0, 300.0)?;
+        rate.map(|rate| Ratio::new(own, rate)).transpose()?;
+        Ok(())
+    }
+
+    /// Of a sound at a rate in Hz, with a tolerance in dB.
+    ///
+    /// # Errors
+    /// A tolerance outside 0 to 300 dB; the errors of [`Ratio::new`].
+    pub fn new(sound: Sound, rate: Option<f64>, tolerance: f64) -> Result<Self> {
+        Self::possible(sound.rate(), rate, tolerance)?;
+        let forecasts = rate.map(|rate| sound.sampled_at(rate)).transpose()?.unwrap_or_default();
+        let ratio = |i: usize| {
+            let channel = &sound.channels()[i];
+            match forecasts.get(i) {
+                _ if channel.silent() => f64::INFINITY,
+                Some(forecast) => forecast.outcomes[0].ratio(),
+                None => dbfs(channel.levels().power) - dbfs(channel.edge_power()),
+            }
+        };
+        let ratios = (0..sound.channels().len()).map(|i| (i, ratio(i)));
+        let (worst, ratio) = ratios.reduce(|a, b| if b.1 < a.1 { b } else { a }).unwrap_or((0, f64::INFINITY));
+        Ok(Self { sound, rate, tolerance, forecasts, worst, ratio })
+    }
+
+    /// The sound.
+    pub fn sound(&self) -> &Sound {
+        &self.sound
+    }
+
+    /// The other rate, if one was asked for.
+    pub fn rate(&self) -> Option<f64> {
+        self.rate
+    }
+
+    /// The tolerance in dB.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// What would happen at the other rate, channel by channel; empty where none was asked for.
+    pub fn forecasts(&self) -> &[Forecast] {
+        &self.forecasts
+    }
+
+    /// The channel whose ratio is the least, counted from zero.
+    pub fn worst(&self) -> usize {
+        self.worst
+    }
+
+    /// Its ratio in dB; infinite where nothing folds.
+    pub fn ratio(&self) -> f64 {
+        self.ratio
+    }
+
+    /// Whether the ratio reaches the tolerance.
+    pub fn fine(&self) -> bool {
+        self.ratio >= self.tolerance
+    }
+
+    /// How much louder than the tolerance allows the aliases get at their loudest moment, as a level in dBFS against the
+    /// mean power of the sound below the new Nyquist frequency; only where that exceeds the tolerance though the mean of
+    /// all does not. A burst in a long sound is drowned in the mean and heard nevertheless.
+    pub fn burst(&self) -> Option<f64> {
+        let forecast = self.forecasts.get(self.worst)?;
+        let ratio = dbfs(forecast.outcomes[0].signal) - dbfs(forecast.loudest?.beyond);
+        (self.fine() && ratio < self.tolerance).then_some(ratio)
+    }
+
+    /// How the spectrum of the sound ends: that of the channel that goes up the farthest. `None` of silence.
+    pub fn ending(&self) -> Option<Ending> {
+        let height = |ending: &Ending| ending.at().unwrap_or(f64::INFINITY);
+        let endings = self.sound.channels().iter().filter_map(super::Channel::ending);
+        endings.reduce(|a, b| if height(&b) > height(&a) { b } else { a })
+    }
+
+    /// The first of the filtered ways that keeps the aliases of all channels below the tolerance.
+    pub fn remedy(&self) -> Option<Way> {
+        let keeps = |way: usize| self.forecasts.iter().all(|f| f.outcomes[way].ratio() >= self.tolerance);
+        (1..Way::ALL.len()).find(|way| keeps(*way)).map(|way| Way::ALL[way])
+    }
+}

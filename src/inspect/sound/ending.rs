@@ -1,0 +1,94 @@
+//! How a spectrum ends.
+
+use crate::inspect::sound::floor::{Floor, ceiling, median};
+use crate::inspect::sound::standard::smallest_standard;
+use crate::inspect::sound::window::reach;
+use crate::sampled::welch::PowerSpectrum;
+
+/// How far above the noise floor something stands out: 6 dB.
+const MARGIN: f64 = 4.0;
+/// An end within this part of the Nyquist frequency is where every recorder's own filter ends.
+const TOP: f64 = 0.97;
+/// Where the density just below a place is looked at, as parts of its frequency.
+const BELOW: [f64; 2] = [0.93, 0.97];
+/// How many times the density there is what is left above, to be called cut: 25 dB.
+const CUT: f64 = 316.0;
+
+/// How a spectrum ends: the highest frequency that stands 6 dB above the [noise floor](Floor) (more, where few averages
+/// let noise do that), and what is before and after it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Ending {
+    /// The spectrum is flat: nothing stands above its floor.
+    Flat,
+    /// It comes down to its floor below 0.97 of the Nyquist frequency, slowly, or with a line as the last thing.
+    Falls {
+        /// Where, in Hz.
+        at: f64,
+    },
+    /// It ends abruptly, and its top is empty: as after upsampling, after a low-pass such as that of lossy coders, or in a
+    /// sound that was made so.
+    ///
+    /// The evidence is that nothing above comes within 25 dB of what lies 3 to 7 % below: a fall of some 400 dB an octave,
+    /// where what rooms, voices and microphones weaken falls by a tenth of that. It can be missed where the sound had
+    /// come down to the noise before it was cut.
+    Cut {
+        /// Where, in Hz.
+        at: f64,
+        /// By how much at least, in dB.
+        drop: f64,
+    },
+    /// It goes on to the Nyquist frequency: whatever lay beyond when it was sampled has folded.
+    Runs,
+}
+
+impl Ending {
+    pub(super) fn of(spectrum: &PowerSpectrum, floor: &Floor, averages: f64) -> Self {
+        let density = spectrum.density();
+        let top = TOP * 0.5 * spectrum.rate();
+        // the window widens what it sees by the width of a line
+        let at = |bin: usize| spectrum.frequency(bin.saturating_sub(reach()));
+        if let Some((bin, drop)) = cut(density, floor.density).filter(|(bin, _)| at(*bin) <= top) {
+            return Self::Cut { at: at(bin), drop: 10.0 * drop.log10() };
+        }
+        let least = MARGIN.max(ceiling(averages, density.len())) * floor.density;
+        match density.iter().rposition(|p| *p > least).map(at) {
+            None => Self::Flat,
+            Some(at) if at > top => Self::Runs,
+            Some(at) => Self::Falls { at },
+        }
+    }
+
+    /// The frequency where it ends; `None` where there is no end below the Nyquist frequency.
+    pub fn at(&self) -> Option<f64> {
+        match self {
+            Self::Falls { at } | Self::Cut { at, .. } => Some(*at),
+            Self::Flat | Self::Runs => None,
+        }
+    }
+
+    /// The least standard rate whose Nyquist frequency is above the end.
+    pub fn enough(&self) -> Option<u32> {
+        let at = self.at()?;
+        smallest_standard(|rate| 0.5 * rate > at)
+    }
+}
+
+/// The bin at which a density is cut, and how many times as much as all that is left above lies just below it.
+///
+/// Just below is a median, so that a line is no edge; above it is the largest, so that a line there is an objection, and
+/// not less than the noise floor.
+fn cut(density: &[f64], floor: f64) -> Option<(usize, f64)> {
+    let mut above = floor;
+    let mut drops = vec![0.0; density.len()];
+    for bin in (1..density.len()).rev() {
+        above = above.max(density[bin]);
+        let [from, to] = BELOW.map(|part| (part * bin as f64).round() as usize);
+        if from + 3 <= to && above > 0.0 {
+            drops[bin] = median(&density[from..to]) / above;
+        }
+    }
+    let most = drops.iter().copied().fold(0.0, f64::max);
+    // half-way down, in decibels
+    let enough = CUT.max(most.sqrt());
+    drops.iter().position(|drop| *drop >= enough).map(|bin| (bin, most))
+}
