@@ -77,7 +77,7 @@
 //! | --- | --- |
 //! | none | the library: transforms, sampling, replication, kernels, reconstruction, laws, and figures as data |
 //! | `plot` | figures drawn as SVG, PNG and PDF (plotters, and an embedded font: nothing of the system is used) |
-//! | `files` | images from PNG and JPEG files, and to PNG |
+//! | `files` | images from PNG and JPEG files, and to them |
 //! | `threads` | films and large transforms on several threads; the bits are the same |
 //! | `cli` (default) | the command `nyquist` |
 
@@ -162,6 +162,7 @@ pub mod prelude {
     pub use crate::kernel::box_kernel::BoxKernel;
     pub use crate::kernel::cubic::Cubic;
     pub use crate::kernel::gaussian::GaussianKernel;
+    pub use crate::kernel::hamming::HammingKernel;
     pub use crate::kernel::ideal::Ideal;
     pub use crate::kernel::kaiser::Kaiser;
     pub use crate::kernel::lanczos::Lanczos;

@@ -75,6 +75,27 @@ impl Text {
         Self { en: Cow::Owned(minus(&en.into())), ru: Cow::Owned(comma(&minus(&ru.into()))) }
     }
 
+    /// Letters that are the same in both languages and must stay as they are: a command to be copied, with the decimal points
+    /// that it needs.
+    ///
+    /// ```
+    /// use nyquist::text;
+    /// use nyquist::text::{Lang, Text};
+    /// let both = text!("σ = {}: ", "σ = {}: ", 1.5).and(&Text::literal("--blur 1.5"));
+    /// assert_eq!(both.get(Lang::Ru), "σ = 1,5: --blur 1.5");
+    /// ```
+    pub fn literal(letters: impl Into<String>) -> Self {
+        let letters = letters.into();
+        Self { en: Cow::Owned(letters.clone()), ru: Cow::Owned(letters) }
+    }
+
+    /// This, and another one behind it.
+    #[must_use]
+    pub fn and(self, more: &Self) -> Self {
+        let joined = |a: Cow<'_, str>, lang| Cow::Owned(a.into_owned() + more.get(lang));
+        Self { en: joined(self.en, Lang::En), ru: joined(self.ru, Lang::Ru) }
+    }
+
     /// The sentence in one language.
     pub fn get(&self, lang: Lang) -> &str {
         match lang {

@@ -236,3 +236,78 @@ fn transparent_pixels_do_not_colour_their_neighbours() {
     assert_eq!(over.alpha(), None);
     assert_eq!(planes(&over)[0].at(2, 0), 1.0); // the white behind the hole
 }
+
+/// A profile of the matrix kind as far as its curves go: the same tag for red, green and blue.
+fn profile(curve: &[u8]) -> Vec<u8> {
+    let mut bytes = vec![0u8; 128];
+    bytes[16..20].copy_from_slice(b"RGB ");
+    bytes[36..40].copy_from_slice(b"acsp");
+    bytes.extend(3u32.to_be_bytes());
+    for name in [b"rTRC", b"gTRC", b"bTRC"] {
+        bytes.extend(name);
+        bytes.extend((128u32 + 4 + 36).to_be_bytes());
+        bytes.extend(u32::try_from(curve.len()).expect("short").to_be_bytes());
+    }
+    bytes.extend(curve);
+    bytes
+}
+
+#[test]
+fn light_is_what_the_curves_of_a_profile_say() {
+    use nyquist::door::carried::{Carried, Light, Space};
+    use nyquist::door::{Format, read_file, write_file};
+    let fixed = |v: f64| ((v * 65_536.0).round() as i32).to_be_bytes();
+    let formula = |kind: u16, parameters: &[f64]| {
+        let mut tag = b"para\0\0\0\0".to_vec();
+        tag.extend(kind.to_be_bytes());
+        tag.extend([0, 0]);
+        parameters.iter().for_each(|p| tag.extend(fixed(*p)));
+        tag
+    };
+    let table = |values: &[u16]| {
+        let mut tag = b"curv\0\0\0\0".to_vec();
+        tag.extend(u32::try_from(values.len()).unwrap().to_be_bytes());
+        values.iter().for_each(|v| tag.extend(v.to_be_bytes()));
+        tag
+    };
+    let srgb = [2.4, 1.0 / 1.055, 0.055 / 1.055, 1.0 / 12.92, 0.04045];
+    let grid = Grid::pixels(16, 16).unwrap();
+    let codes: Vec<f64> = (0..256).map(|i| f64::from(i) / 255.0).collect();
+    let plane = Image::new(grid, codes.clone()).unwrap();
+    let rgb = Picture::from(Rgb::new([plane.clone(), plane.clone(), plane]).unwrap());
+    type Case = (&'static str, Vec<u8>, fn(f64) -> f64);
+    let cases: [Case; 6] = [
+        ("sRGB as a formula", formula(3, &srgb), srgb_to_linear),
+        ("a power", formula(0, &[1.8]), |v| v.powf(1.8)),
+        ("an offset power", formula(1, &[2.0, 0.9, 0.1]), |v| (0.9 * v + 0.1).powi(2)),
+        ("Adobe RGB", table(&[(2.199_218_75 * 256.0) as u16]), |v| v.powf(2.199_218_75)),
+        ("identity", table(&[]), |v| v),
+        ("a table of three", table(&[0, 16_384, 65_535]), |v| {
+            if v < 0.5 { v * 2.0 * 0.25 } else { 0.25 + (v - 0.5) * 1.5 }
+        }),
+    ];
+    for (name, curve, light) in cases {
+        // written with codes as they are, and read as light
+        let carried = Carried { space: Space::Profile(profile(&curve)), light: Light::Encoded, ..Carried::default() };
+        let bytes = write_file(&rgb, &carried, Format::Png).unwrap();
+        let read = read_file(name, &bytes, Limits::default(), Light::Linear).unwrap();
+        assert!(read.remarks.is_empty(), "{name}: {:?}", read.remarks);
+        for plane in planes(&read.picture) {
+            for (value, code) in plane.values().iter().zip(&codes) {
+                // parameters are fixed-point of 16 bits, and so are tables
+                assert!((value - light(*code)).abs() < 1e-4, "{name} {code}: {value}");
+            }
+        }
+        // and back, code for code
+        let again = write_file(&read.picture, &read.carried, Format::Png).unwrap();
+        assert_eq!(again, bytes, "{name}");
+    }
+    // curves that fall, or are no curves, are not taken
+    for curve in [table(&[65_535, 0]), formula(9, &[1.0]), b"none".to_vec(), formula(3, &[2.4])] {
+        let carried = Carried { space: Space::Profile(profile(&curve)), light: Light::Encoded, ..Carried::default() };
+        let bytes = write_file(&rgb, &carried, Format::Png).unwrap();
+        let read = read_file("odd.png", &bytes, Limits::default(), Light::Linear).unwrap();
+        assert_eq!(read.remarks, ["the colour profile has no tone curves: the curve of sRGB is assumed"]);
+        assert_eq!(read.carried.space, carried.space);
+    }
+}

@@ -5,11 +5,13 @@ mod figures;
 mod files;
 mod kernel;
 mod laws;
+mod picture;
 mod points;
 mod render;
 mod report;
 mod resample;
 mod sound;
+mod resize;
 mod source;
 mod spectrum;
 
@@ -57,6 +59,8 @@ enum Command {
     Spectrum(spectrum::Args),
     /// Convert a WAV file to another sampling rate
     Resample(resample::Args),
+    /// Resize a picture, in linear light
+    Resize(resize::Args),
 }
 
 /// Why the exit code is not zero.
@@ -102,6 +106,7 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Check(args)) => check::run(&args, &mut out),
         Some(Command::Spectrum(args)) => spectrum::run(&args, &mut out),
         Some(Command::Resample(args)) => resample::run(&args, &mut out),
+        Some(Command::Resize(args)) => resize::run(&args, &mut out),
     };
     match done.and_then(|()| Ok(out.flush()?)) {
         Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,

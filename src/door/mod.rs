@@ -1,8 +1,19 @@
 //! The door: files of images and of sound in and out, and the one place where sRGB becomes linear light and back.
 //!
-//! Reading takes PNG (8 and 16 bits a channel, grey, colour, palettes, with or without alpha) and JPEG (8 bits, grey and
-//! colour, baseline and progressive), writing makes PNG of 8 or 16 bits; both need the feature `files`. Bytes come in
-//! and bytes go out: whoever calls writes them to a temporary file and renames it.
+//! Reading takes PNG (1 to 16 bits a channel, grey, colour, palettes, with or without alpha) and JPEG (8 bits, grey and
+//! colour, baseline and progressive), writing makes PNG of 8 or 16 bits and JPEG of 8; all need the feature `files`. Bytes
+//! come in and bytes go out: whoever calls writes them to a temporary file and renames it.
+//!
+//! What a file says beside its pixels is [carried](carried::Carried) to the next one, as far as its format has a place for
+//! it: depth, colour space (sRGB, gamma and chromaticities, an ICC profile, code points), density. Everything else is
+//! [skipped](skipped::Skipped) and counted by name, so that whoever asked can be told.
+//!
+//! # What is linear light?
+//!
+//! What the curve makes of a code. sRGB's unless the file says otherwise: by `gAMA`, by code points (`cICP`), or by the tone
+//! curves of its ICC profile, if it is of the matrix kind, as those of cameras and displays are (sRGB, Adobe RGB, Display
+//! P3, ProPhoto). Under a profile without such curves sRGB's is assumed, and that is said. Primaries are left alone: what is
+//! linear in one set of primaries is linear in every other.
 //!
 //! # Which decoders, and why
 //!
@@ -13,11 +24,20 @@
 //! half is an invention of the decoder is no measurement. (Both take a header that claims more rows than there are data; the
 //! reader here finds that out by itself.) Neither panicked on 28,000 damaged files.
 //!
+//! JPEG is written by `jpeg-encoder`: small, without dependencies, and without unsafe code unless its SIMD is asked for.
+//!
 //! # What is not done
 //!
-//! Colour profiles (ICC) and chromaticities are not applied: the primaries are taken for those of sRGB. A PNG that says by
-//! `gAMA` that it is not sRGB is decoded with that gamma. CMYK has no meaning without a profile and is refused.
+//! Colours are not converted from one set of primaries to another: brightness is weighed as if they were sRGB's. CMYK has no
+//! meaning without a profile and is refused. Of an animated PNG the still picture is read. EXIF is not carried over; its
+//! orientation is applied, its resolution kept.
 
+#[cfg(feature = "files")]
+pub mod carried;
+#[cfg(feature = "files")]
+mod exif;
+#[cfg(feature = "files")]
+mod icc;
 #[cfg(feature = "files")]
 mod jpeg;
 pub mod kind;
@@ -26,11 +46,16 @@ mod orientation;
 pub mod picture;
 #[cfg(feature = "files")]
 mod png;
+pub mod skipped;
 pub mod srgb;
+#[cfg(feature = "files")]
+pub mod transfer;
 pub mod wav;
 
 #[cfg(feature = "files")]
-pub use crate::door::files::{Depth, Limits, open_picture, png_bytes, read_picture};
+pub use crate::door::carried::Depth;
+#[cfg(feature = "files")]
+pub use crate::door::files::{Format, Limits, open_picture, png_bytes, read_file, read_picture, write_file};
 
 #[cfg(feature = "files")]
 mod files;

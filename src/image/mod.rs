@@ -9,11 +9,13 @@ pub mod decimate;
 pub mod dft;
 pub mod filter;
 pub mod lattice;
+pub mod periodic;
 pub mod projection;
 pub mod radial;
 mod raster;
 pub mod resize;
 mod rgb;
+pub mod weights;
 
 pub use bins::ImageBins;
 pub use raster::Image;

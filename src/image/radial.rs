@@ -1,7 +1,7 @@
 //! Means over rings: what a spectrum is at a distance from zero, whatever the direction.
 
 use crate::error::{Error, Result};
-use crate::image::ImageBins;
+use crate::image::{Image, ImageBins};
 
 /// One ring of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,18 +33,26 @@ pub struct Ring {
 /// # Errors
 /// No rings.
 pub fn radial_power(bins: &ImageBins, rings: usize) -> Result<Vec<Ring>> {
+    radial_mean(&bins.power(), rings)
+}
+
+/// [`radial_power`] of a power spectrum, an image over frequencies: the mean over rings of anything in the plane.
+///
+/// # Errors
+/// No rings.
+pub fn radial_mean(power: &Image, rings: usize) -> Result<Vec<Ring>> {
     if rings == 0 {
         return Err(Error::TooFew { what: "rings of a radial mean", least: 1, got: 0 });
     }
-    let (grid, space) = (bins.grid(), bins.space());
-    let nyquist = space.x().nyquist().min(space.y().nyquist());
+    let grid = power.grid();
+    let nyquist = 0.5 * grid.x().span().min(grid.y().span());
     let mut sums = vec![(0.0, 0.0, 0usize); rings];
-    for ([u, v], value) in grid.iter().zip(bins.values()) {
+    for ([u, v], value) in grid.iter().zip(power.values()) {
         let rho = u.hypot(v);
         let ring = (rho / nyquist * rings as f64) as usize;
         if let Some((frequency, power, count)) = sums.get_mut(ring).filter(|_| rho > 0.0) {
             *frequency += rho;
-            *power += value.norm_sqr() / space.area();
+            *power += value;
             *count += 1;
         }
     }

@@ -1,5 +1,6 @@
 //! An image: a grid and the values on it.
 
+use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::field::{ExactMean, Field};
 use crate::grid::Grid;
@@ -148,6 +149,34 @@ impl Image {
     /// Another width or height.
     pub fn rmse(&self, other: &Self) -> Result<f64> {
         Ok(self.with(other, |a, b| (a - b) * (a - b))?.mean().sqrt())
+    }
+
+    /// The pixels of a rectangle, where they are: so many columns and rows from the one in column `left` and row `top` on.
+    ///
+    /// ```
+    /// use nyquist::prelude::*;
+    /// let ramp = Image::of(&field_fn(|x, y| x + 10.0 * y), Grid::pixels(5, 4)?);
+    /// let part = ramp.part([1, 2], [3, 2])?;
+    /// assert_eq!((part.width(), part.height(), part.at(0, 0)), (3, 2, ramp.at(1, 2)));
+    /// assert_eq!(part.grid().at(0, 0), ramp.grid().at(1, 2));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A rectangle without pixels, or one that is not inside.
+    pub fn part(&self, [left, top]: [usize; 2], [width, height]: [usize; 2]) -> Result<Self> {
+        let inside = |what, first: usize, n: usize, all: usize| match first.checked_add(n) {
+            Some(end) if end <= all => Ok(()),
+            _ => Err(Error::Overflow { what, value: first as f64 + n as f64, most: all as f64 }),
+        };
+        inside("the right side of a part of an image", left, width, self.width())?;
+        inside("the lower side of a part of an image", top, height, self.height())?;
+        let axis = |axis: Axis, first: usize, n: usize| {
+            Ok::<_, Error>(Axis::new(axis.at(first as i64), axis.step(), n)?.in_unit(axis.unit()))
+        };
+        let grid = Grid::new(axis(self.grid.x(), left, width)?, axis(self.grid.y(), top, height)?)?;
+        let rows = (top..top + height).flat_map(|y| &self.row(y)[left..left + width]);
+        Ok(Self::rows(grid, rows.copied().collect()))
     }
 
     /// The same values elsewhere: on another grid of the same width and height.

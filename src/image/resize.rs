@@ -1,10 +1,12 @@
 //! Another size: reconstruction by a kernel, one axis at a time.
 
 use crate::axis::{Axis, Edge};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::grid::Grid;
 use crate::image::Image;
+use crate::image::weights::{Taps, Weights};
 use crate::kernel::Kernel;
+use crate::parallel;
 use ndarray::Array2;
 
 /// The image with another width and height over the same rectangle, by a kernel; what interpolates, and what filters on
@@ -24,22 +26,31 @@ use ndarray::Array2;
 /// # Errors
 /// A width or height of zero, more than [`Grid::MOST`] pixels, a kernel of infinite radius.
 pub fn resize(image: &Image, width: usize, height: usize, kernel: &dyn Kernel, edge: Edge) -> Result<Image> {
-    let over = |axis: Axis, n: usize| {
+    resample(image, over(image.grid(), width, height)?, kernel, edge)
+}
+
+/// So many pixels across and down over the rectangle that the pixels of `grid` cover.
+///
+/// # Errors
+/// A width or height of zero, more than [`Grid::MOST`] pixels.
+pub fn over(grid: Grid, width: usize, height: usize) -> Result<Grid> {
+    let axis = |axis: Axis, n: usize| {
         let start = axis.start() - 0.5 * axis.step();
         Ok(Axis::cells(start..start + axis.span(), n)?.in_unit(axis.unit()))
     };
-    let grid = image.grid();
-    resample(image, Grid::new(over(grid.x(), width)?, over(grid.y(), height)?)?, kernel, edge)
+    Grid::new(axis(grid.x(), width)?, axis(grid.y(), height)?)
 }
 
-/// The image on any other grid: `Σ f_i k((x − x_i)/cT) / Σ k((x − x_i)/cT)` along each axis.
+/// The image on any other grid: `Σ f_i k((x − x_i)/cT) / Σ k((x − x_i)/cT)` along each axis, with the [`Weights`] of the
+/// kernel.
 ///
 /// Where the new step is longer than the old one `T`, `c` is their ratio: the kernel widens and becomes the prefilter of
 /// the new rate; otherwise it is 1. The weights of every pixel are divided by their sum, so that a constant stays the
-/// constant whatever the kernel (except beside nothing, [`Edge::Zero`], where the sum counts what is not there). A kernel
-/// so narrow that no pixel lies within its radius takes the nearest one.
+/// constant whatever the kernel, and to the last bit (except beside nothing, [`Edge::Zero`], where the sum counts what is
+/// not there).
 ///
-/// The axis on which more is saved goes first. Exact to the rounding of the two sums, `2ε·taps·max|f|·Σ|k|/|Σk|`.
+/// The axis on which more is saved goes first. Exact to the rounding of the two sums, `2ε·taps·max|f|·Σ|k|/|Σk|`. On several
+/// threads, with the same bits.
 ///
 /// ```
 /// use nyquist::prelude::*;
@@ -53,12 +64,30 @@ pub fn resize(image: &Image, width: usize, height: usize, kernel: &dyn Kernel, e
 /// # Errors
 /// A kernel of infinite radius; more than 2²⁸ weights along one axis (a step many times the image's).
 pub fn resample(image: &Image, grid: Grid, kernel: &dyn Kernel, edge: Edge) -> Result<Image> {
-    if kernel.radius().is_infinite() {
-        let what = "a resampling with the ideal kernel, which needs every pixel: filter in frequency instead";
-        return Err(Error::Unsupported(what));
-    }
-    let across = taps(image.grid().x(), grid.x(), kernel, edge)?;
-    let down = taps(image.grid().y(), grid.y(), kernel, edge)?;
+    let across = Weights::of(image.grid().x(), grid.x(), kernel)?;
+    let down = Weights::of(image.grid().y(), grid.y(), kernel)?;
+    Ok(weighted(image, &across, &down, edge))
+}
+
+/// Every pixel of the grid takes that of the image which is nearest to it: no filter at all, and whatever is too fine for
+/// the grid folds.
+///
+/// ```
+/// use nyquist::prelude::*;
+/// use nyquist::image::resize::{nearest, over};
+/// let image = Image::new(Grid::pixels(4, 1)?, vec![0.0, 1.0, 2.0, 3.0])?;
+/// // half-way between two pixels the later one is taken: every second
+/// assert_eq!(nearest(&image, over(image.grid(), 2, 1)?, Edge::Clamp).values(), [1.0, 3.0]);
+/// # Ok::<(), Error>(())
+/// ```
+pub fn nearest(image: &Image, grid: Grid, edge: Edge) -> Image {
+    let (across, down) = (Weights::nearest(image.grid().x(), grid.x()), Weights::nearest(image.grid().y(), grid.y()));
+    weighted(image, &across, &down, edge)
+}
+
+fn weighted(image: &Image, across: &Weights, down: &Weights, edge: Edge) -> Image {
+    let grid = Grid::new(across.new_axis(), down.new_axis()).expect("the two axes of a grid that there is");
+    let (across, down) = (across.within(edge), down.within(edge));
     let ratio = |new: usize, old: usize| new as f64 / old as f64;
     let rows_first = ratio(grid.width(), image.width()) < ratio(grid.height(), image.height());
     let pixels = if rows_first {
@@ -66,54 +95,37 @@ pub fn resample(image: &Image, grid: Grid, kernel: &dyn Kernel, edge: Edge) -> R
     } else {
         rows(&columns(image.pixels(), &down), &across)
     };
-    Ok(Image::trusted(grid, pixels))
+    Image::trusted(grid, pixels)
 }
 
-/// For one new position: the old ones that it reads, and their weights.
-type Taps = Vec<(usize, f64)>;
-
-fn taps(old: Axis, new: Axis, kernel: &dyn Kernel, edge: Edge) -> Result<Vec<Taps>> {
-    let stretch = (new.step() / old.step()).max(1.0);
-    let radius = kernel.radius() * stretch;
-    let (value, most) = ((2.0 * radius + 1.0) * new.len() as f64, 268_435_456.0);
-    // not a number counts as too many
-    if !matches!(value.partial_cmp(&most), Some(std::cmp::Ordering::Less)) {
-        return Err(Error::Overflow { what: "the number of weights of a resampling", value, most });
-    }
-    let of = |x: f64| {
-        let at = old.index_of(x);
-        let (first, last) = ((at - radius).ceil() as i64, (at + radius).floor() as i64);
-        let mut read: Vec<(i64, f64)> =
-            (first..=last).map(|i| (i, kernel.at((at - i as f64) / stretch))).filter(|(_, w)| *w != 0.0).collect();
-        let mut sum: f64 = read.iter().map(|(_, w)| w).sum();
-        if read.is_empty() || sum == 0.0 {
-            (read, sum) = (vec![(at.round() as i64, 1.0)], 1.0);
-        }
-        let inside = |(i, w): (i64, f64)| edge.index(i, old.len()).map(|i| (i, w / sum));
-        read.into_iter().filter_map(inside).collect()
-    };
-    Ok(new.iter().map(of).collect())
-}
+const ROWS: &str = "rows are kept one after another";
 
 /// Along the rows: every new pixel of a row is a sum over the old ones.
 fn rows(pixels: &Array2<f64>, taps: &[Taps]) -> Array2<f64> {
+    let (width, old) = (pixels.ncols(), pixels.as_slice().expect(ROWS));
     let mut out = Array2::zeros((pixels.nrows(), taps.len()));
-    for (old, mut new) in pixels.rows().into_iter().zip(out.rows_mut()) {
-        let old = old.as_slice().expect("rows are kept one after another");
-        for (value, taps) in new.iter_mut().zip(taps) {
-            *value = taps.iter().map(|&(i, w)| w * old[i]).sum();
+    parallel::chunks(out.as_slice_mut().expect(ROWS), taps.len(), |j, new| {
+        let old = &old[j * width..][..width];
+        for (value, Taps { base, whole, read }) in new.iter_mut().zip(taps) {
+            let base = old[*base];
+            *value = whole * base + read.iter().map(|&(i, w)| w * (old[i] - base)).sum::<f64>();
         }
-    }
+    });
     out
 }
 
 /// Along the columns: every new row is a sum of old rows, so that memory is read in its order.
 fn columns(pixels: &Array2<f64>, taps: &[Taps]) -> Array2<f64> {
-    let mut out = Array2::zeros((taps.len(), pixels.ncols()));
-    for (mut new, taps) in out.rows_mut().into_iter().zip(taps) {
-        for &(i, w) in taps {
-            new.scaled_add(w, &pixels.row(i));
+    let (width, old) = (pixels.ncols(), pixels.as_slice().expect(ROWS));
+    let row = |j: usize| &old[j * width..][..width];
+    let mut out = Array2::zeros((taps.len(), width));
+    parallel::chunks(out.as_slice_mut().expect(ROWS), width, |j, new| {
+        let Taps { base, whole, read } = &taps[j];
+        let base = row(*base);
+        for &(i, w) in read {
+            new.iter_mut().zip(row(i)).zip(base).for_each(|((sum, f), base)| *sum += w * (f - base));
         }
-    }
+        new.iter_mut().zip(base).for_each(|(sum, base)| *sum += whole * base);
+    });
     out
 }

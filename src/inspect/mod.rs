@@ -1,3 +1,4 @@
-//! Looking into data: what band do they fill, and what would alias, and where to, at another rate.
+//! What is in measured data: how much band it fills, what would alias at another rate, and where to.
 
+pub mod picture;
 pub mod sound;

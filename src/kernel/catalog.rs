@@ -5,6 +5,7 @@ use crate::kernel::Kernel;
 use crate::kernel::box_kernel::BoxKernel;
 use crate::kernel::cubic::Cubic;
 use crate::kernel::gaussian::GaussianKernel;
+use crate::kernel::hamming::HammingKernel;
 use crate::kernel::ideal::Ideal;
 use crate::kernel::kaiser::Kaiser;
 use crate::kernel::lanczos::Lanczos;
@@ -18,6 +19,7 @@ type Make = fn() -> Result<Box<dyn Kernel>>;
 const NAMED: &[(&str, Make)] = &[
     ("box", || Ok(Box::new(BoxKernel))),
     ("tent", || Ok(Box::new(TentKernel))),
+    ("hamming", || Ok(Box::new(HammingKernel))),
     ("gaussian", || Ok(Box::new(GaussianKernel::pbrt4()))),
     ("gaussian-pbrt2", || Ok(Box::new(GaussianKernel::pbrt2()))),
     ("b-spline", || Ok(Box::new(Cubic::b_spline()))),

@@ -7,6 +7,7 @@ pub mod box_kernel;
 pub mod catalog;
 pub mod cubic;
 pub mod gaussian;
+pub mod hamming;
 pub mod ideal;
 pub mod kaiser;
 pub mod lanczos;

@@ -21,11 +21,15 @@ use crate::sampled::Bins;
 /// # Errors
 /// A fraction that is not strictly between zero and one.
 pub fn occupied_band(bins: &Bins, fraction: f64) -> Result<f64> {
+    band_of(bins.magnitudes().map(|[nu, size]| [nu.abs(), size * size]).collect(), fraction)
+}
+
+/// The least `B` such that the energies, `[|ν|, energy]` in any order, up to `|ν| = B` are at least `fraction` of all.
+pub(crate) fn band_of(mut energies: Vec<[f64; 2]>, fraction: f64) -> Result<f64> {
     finite("the fraction of energy", fraction)?;
     if !(fraction > 0.0 && fraction < 1.0) {
         return Err(Error::OutOfRange { what: "the fraction of energy", value: fraction, low: 0.0, high: 1.0 });
     }
-    let mut energies: Vec<[f64; 2]> = bins.magnitudes().map(|[nu, size]| [nu.abs(), size * size]).collect();
     energies.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let wanted = fraction * energies.iter().map(|e| e[1]).sum::<f64>();
     let mut sum = 0.0;

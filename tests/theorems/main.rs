@@ -20,5 +20,7 @@ mod positions_may_stray_by_less_than_a_quarter_of_the_step;
 mod reconstruction_closes_the_square;
 mod sampled_steps_ring_by_a_closed_form;
 mod slopes_or_pairs_halve_the_rate;
+mod small_checkerboards_are_resized_as_another_library_publishes;
 mod the_checkerboard_in_perspective_has_exact_pixels;
+mod tones_are_resized_with_the_gain_of_the_weights;
 mod truncated_cardinal_series_err_as_bounded;

@@ -15,7 +15,7 @@ use std::path::PathBuf;
 
 /// Say what band a file occupies, and what would alias, and where to, at another rate or scale.
 #[derive(Debug, clap::Args)]
-#[command(after_help = [sound::HELP, CODES].concat())]
+#[command(after_help = after_help())]
 pub(super) struct Args {
     /// A WAV, PNG, JPEG or CSV file, told apart by its first bytes; `-` is standard input
     input: PathBuf,
@@ -35,7 +35,10 @@ pub(super) struct Args {
     table: table::Options,
 }
 
-const CODES: &str = "Exit codes: 0 fine, 1 aliases above the tolerance, 2 usage or input/output.";
+fn after_help() -> String {
+    let exit = "Exit codes: 0 fine, 1 aliases above the tolerance, 2 usage or input/output.";
+    [exit, sound::HELP, picture::HELP].join("\n\n")
+}
 
 /// What a check found.
 struct Checked {

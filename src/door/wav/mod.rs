@@ -27,7 +27,8 @@ mod header;
 mod reader;
 mod writer;
 
+pub use crate::door::skipped::Skipped;
 pub use encoding::{Clipping, Encoding};
 pub use header::WavFormat;
-pub use reader::{Skipped, WavReader};
+pub use reader::WavReader;
 pub use writer::{Dither, WavWriter};

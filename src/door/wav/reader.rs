@@ -1,5 +1,6 @@
 //! WAV in.
 
+use crate::door::skipped::Skipped;
 use crate::door::wav::encoding::Encoding;
 use crate::door::wav::header::WavFormat;
 use crate::error::{Error, Result};
@@ -9,20 +10,6 @@ use std::io::{self, ErrorKind, Read};
 const OPEN_LENGTH: u64 = 0x7fff_f000;
 /// Bytes that are read at a time.
 const ROOM: usize = 1 << 16;
-/// How many names of skipped chunks are kept.
-const MOST_NAMES: usize = 32;
-
-/// Chunks of one name that were skipped.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Skipped {
-    /// The chunk's name, four characters; "…" for all the others in a file with too many names.
-    pub name: String,
-    /// How many there were.
-    pub count: u64,
-    /// How many bytes they had.
-    pub bytes: u64,
-}
-
 /// A WAV file that is being read, from any source of bytes.
 ///
 /// ```
@@ -330,14 +317,6 @@ impl<R: Read> Head<'_, R> {
             return;
         }
         let name = String::from_utf8_lossy(id).escape_debug().to_string();
-        let full = self.skipped.len() >= MOST_NAMES;
-        let name = if full && !self.skipped.iter().any(|s| s.name == name) { "…".to_owned() } else { name };
-        match self.skipped.iter_mut().find(|s| s.name == name) {
-            Some(known) => {
-                known.count += 1;
-                known.bytes = known.bytes.saturating_add(size);
-            }
-            None => self.skipped.push(Skipped { name, count: 1, bytes: size }),
-        }
+        Skipped::count(&mut self.skipped, name, size);
     }
 }

@@ -58,6 +58,7 @@ mod streams;
 pub use butterflies::Butterflies;
 pub use complex::Fft;
 pub use length::fast_length;
+pub(crate) use physical::phase;
 pub use physical::{PhysicalFft, PhysicalRealFft};
 pub use plane::PlaneFft;
 pub use real_fft::RealFft;

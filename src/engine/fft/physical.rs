@@ -159,7 +159,7 @@ impl<T: Real> PhysicalRealFft<T> {
 /// `e^{−2πiν_k·start}`, `ν_k = k/span`, right to a few roundings however far from zero the record starts: the turns
 /// `k·start/(n·step)` are computed with twice the precision (Dekker 1971), and whole ones are dropped before they are
 /// multiplied by π.
-pub(super) fn phase(k: i64, axis: Axis) -> Complex<f64> {
+pub(crate) fn phase(k: i64, axis: Axis) -> Complex<f64> {
     let (k, n) = (k as f64, axis.len() as f64);
     let steps = axis.start() / axis.step();
     let rest = (-steps).mul_add(axis.step(), axis.start()) / axis.step();

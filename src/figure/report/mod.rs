@@ -3,10 +3,11 @@
 //! A report is data, as a figure is: the command line prints its sections, the page shows them around the picture, and
 //! tests ask it for its numbers.
 
+pub mod picture;
 pub mod sound;
 
 use crate::error::{Error, unknown};
-use crate::figure::Portrait;
+use crate::figure::{Figure, Portrait};
 use crate::text::Text;
 use std::fmt;
 use std::str::FromStr;
@@ -58,6 +59,14 @@ pub struct Report {
     pub portrait: Portrait,
     /// The findings in words and numbers, the most important first.
     pub sections: Vec<Section>,
+}
+
+impl Report {
+    /// Without anything yet.
+    pub(super) fn empty() -> Self {
+        let portrait = Portrait { title: Text::EMPTY, caption: Text::EMPTY, figure: Figure::new(1) };
+        Self { portrait, sections: Vec::new() }
+    }
 }
 
 /// Findings of one kind.
