@@ -1,7 +1,8 @@
 //! Where things are: [`Axis`], its [`Unit`], and what lies beyond its ends ([`Edge`]).
 
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, finite, positive, unknown};
 use std::ops::Range;
+use std::str::FromStr;
 
 /// What one step along an axis is counted in: a symbol, or its reciprocal.
 ///
@@ -61,6 +62,16 @@ impl Edge {
     /// All four.
     pub const ALL: [Self; 4] = [Self::Zero, Self::Clamp, Self::Wrap, Self::Mirror];
 
+    /// Its name: `zero`, `clamp`, `wrap`, `mirror`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Zero => "zero",
+            Self::Clamp => "clamp",
+            Self::Wrap => "wrap",
+            Self::Mirror => "mirror",
+        }
+    }
+
     /// Which of `len` samples stands at position `index`, or `None` for nothing.
     ///
     /// ```
@@ -81,6 +92,16 @@ impl Edge {
             }
         };
         (0..n).contains(&inside).then_some(inside as usize)
+    }
+}
+
+/// Reads an edge's name, in letters of any case.
+impl FromStr for Edge {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self> {
+        let found = Self::ALL.into_iter().find(|e| e.name().eq_ignore_ascii_case(name));
+        found.ok_or_else(|| unknown("edge", name, Self::ALL.map(Self::name)))
     }
 }
 

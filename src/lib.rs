@@ -106,6 +106,7 @@ pub mod pattern;
 pub mod plot;
 pub mod rate;
 pub mod reconstruct;
+pub mod record;
 pub mod residual;
 pub mod resolve;
 pub mod sampled;
@@ -121,11 +122,12 @@ pub mod prelude {
     pub use crate::antialias::supersample::{Tap, supersample, weighted};
     pub use crate::axis::{Axis, Edge, Unit};
     pub use crate::beyond::{
-        BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery, Refined,
+        BandPass, DerivativeSamples, Interlaced, Irregular, Jitter, JitteredComb, Recovery, Refined, Weighted,
     };
     pub use crate::comb::Comb;
     pub use crate::door::picture::{Color, Picture};
     pub use crate::door::srgb::{linear_to_srgb, srgb_to_linear};
+    pub use crate::door::table::{Reading, Table, TableWriter, read_table};
     pub use crate::door::wav::{Dither, Encoding, WavFormat, WavReader, WavWriter};
     #[cfg(feature = "files")]
     pub use crate::door::{Depth, Limits, png_bytes, read_picture};
@@ -197,6 +199,7 @@ pub mod prelude {
     pub use crate::pattern::zero_two::ZeroTwo;
     pub use crate::rate::{Converter, Quality, Response, convert};
     pub use crate::reconstruct::{Reconstruction, reconstruct};
+    pub use crate::record::{Interpolated, Interpolator, Sampling, Wanted};
     pub use crate::residual::Residual;
     pub use crate::resolve::{Ends, Resolution, Resolved, resolve, resolve_up_to};
     pub use crate::sampled::convolution::{convolve, convolve_circular};

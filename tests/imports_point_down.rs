@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 31] = [
+const FLOORS: [&str; 32] = [
     "error",
     "text",
     "num",
@@ -30,6 +30,7 @@ const FLOORS: [&str; 31] = [
     "door",
     "scene",
     "beyond",
+    "record",
     "resolve",
     "inspect",
     "laws",

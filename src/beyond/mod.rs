@@ -6,6 +6,7 @@ pub mod interlaced;
 pub mod irregular;
 pub mod jitter;
 pub mod refined;
+pub mod weighted;
 
 pub use bandpass::BandPass;
 pub use derivative::DerivativeSamples;
@@ -13,3 +14,4 @@ pub use interlaced::Interlaced;
 pub use irregular::{Irregular, Recovery};
 pub use jitter::{Jitter, JitteredComb};
 pub use refined::{Refined, Refinement};
+pub use weighted::Weighted;

@@ -3,17 +3,21 @@
 mod check;
 mod figures;
 mod files;
+mod interpolate;
 mod kernel;
 mod laws;
+mod number;
 mod picture;
 mod points;
 mod render;
 mod report;
 mod resample;
-mod sound;
 mod resize;
+mod sound;
 mod source;
 mod spectrum;
+mod table;
+mod working;
 
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
@@ -57,6 +61,8 @@ enum Command {
     Check(check::Args),
     /// Compute the spectrum of a file: as a picture or as numbers
     Spectrum(spectrum::Args),
+    /// Compute band-limited values between the samples of a table
+    Interpolate(interpolate::Args),
     /// Convert a WAV file to another sampling rate
     Resample(resample::Args),
     /// Resize a picture, in linear light
@@ -105,6 +111,7 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Render(args)) => render::run(&args, &mut out),
         Some(Command::Check(args)) => check::run(&args, &mut out),
         Some(Command::Spectrum(args)) => spectrum::run(&args, &mut out),
+        Some(Command::Interpolate(args)) => interpolate::run(&args, &mut out),
         Some(Command::Resample(args)) => resample::run(&args, &mut out),
         Some(Command::Resize(args)) => resize::run(&args, &mut out),
     };

@@ -2,13 +2,12 @@
 
 use crate::cli::Failure;
 use crate::cli::source::Source;
-use indicatif::{ProgressBar, ProgressStyle};
+use crate::cli::working::note;
 use nyquist::door::carried::{Light, Opened};
 use nyquist::door::{Limits, read_file};
 use nyquist::image::Image;
-use std::io::{self, IsTerminal, Read, Write};
+use std::io::Read;
 use std::path::Path;
-use std::time::Duration;
 
 /// How large a picture may be.
 #[derive(Debug, Clone, Copy, clap::Args)]
@@ -47,22 +46,4 @@ pub(super) fn seen(opened: &Opened) -> Image {
 /// The name of a file without its folders.
 pub(super) fn short(name: &str) -> &str {
     Path::new(name).file_name().and_then(|last| last.to_str()).unwrap_or(name)
-}
-
-/// A word on standard error; if that is closed there is nobody to tell.
-pub(super) fn note(words: &str) {
-    let _ = writeln!(io::stderr(), "note: {words}");
-}
-
-/// Something that turns while work is done, on a terminal only.
-pub(super) fn progress() -> ProgressBar {
-    if !io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let spinner = ProgressBar::new_spinner();
-    spinner.enable_steady_tick(Duration::from_millis(100));
-    match ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
-        Ok(style) => spinner.with_style(style),
-        Err(_) => spinner,
-    }
 }

@@ -1,7 +1,9 @@
 //! `nyquist resample`: sound at another rate.
 
-use crate::cli::sound::{note, note_oddities, open, pump, quotient};
+use crate::cli::number::quotient;
+use crate::cli::sound::{note_oddities, open, pump};
 use crate::cli::source::Source;
+use crate::cli::working::note;
 use crate::cli::{Failure, files};
 use nyquist::door::wav::{Clipping, Dither, Encoding, WavFormat, WavReader, WavWriter};
 use nyquist::error::Error;

@@ -1,7 +1,8 @@
 //! `nyquist resize`: a picture at another size.
 
-use crate::cli::picture::{Most, note, open, progress};
+use crate::cli::picture::{Most, open};
 use crate::cli::source::Source;
+use crate::cli::working::{note, spinner};
 use crate::cli::{Failure, files};
 use nyquist::axis::Edge;
 use nyquist::door::carried::{Carried, Depth, Light, Opened, Space};
@@ -194,7 +195,7 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     };
     let way = Way { kernel, blur: args.blur.map(Blur::new).transpose()?, edge: args.edge };
     let light = if args.encoded { Light::Encoded } else { Light::Linear };
-    let progress = progress();
+    let progress = spinner();
     progress.set_message("reading");
     let opened = open(Source::open(&args.input)?, args.most, light)?;
     let (grid, source) = (opened.picture.grid(), opened.carried.depth);

@@ -1,4 +1,4 @@
-//! The door: files of images and of sound in and out, and the one place where sRGB becomes linear light and back.
+//! The door: files of images, of sound and of numbers in and out, and the one place where sRGB becomes linear light and back.
 //!
 //! Reading takes PNG (1 to 16 bits a channel, grey, colour, palettes, with or without alpha) and JPEG (8 bits, grey and
 //! colour, baseline and progressive), writing makes PNG of 8 or 16 bits and JPEG of 8; all need the feature `files`. Bytes
@@ -48,6 +48,7 @@ pub mod picture;
 mod png;
 pub mod skipped;
 pub mod srgb;
+pub mod table;
 #[cfg(feature = "files")]
 pub mod transfer;
 pub mod wav;

@@ -6,8 +6,8 @@
 //! Laplacian is zero inside. What is left is periodic without a seam, and every pixel counts as much as before, which a
 //! window would not do. Source: Moisan, *Periodic plus smooth image decomposition*, J. Math. Imaging and Vision 39, 2011.
 
-use crate::engine::fft::phase;
 use crate::axis::Axis;
+use crate::engine::fft::phase;
 use crate::image::dft::{forward, inverse};
 use crate::image::{Image, ImageBins};
 use crate::sampled::dft::dft;

@@ -2,3 +2,4 @@
 
 pub mod picture;
 pub mod sound;
+pub mod table;

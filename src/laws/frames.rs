@@ -1,12 +1,14 @@
 //! Irregular positions: how far they may stray, and what can be recovered from them (V24, V25).
 
 use crate::beyond::irregular::Irregular;
+use crate::beyond::weighted::Weighted;
 use crate::error::{Result, all_finite, within};
 use crate::laws::Law;
 use crate::num::random::{normal, uniform};
 use crate::num::svd::Svd;
 use crate::num::{cos_pi, sin_pi, sinc};
 use crate::residual::Residual;
+use crate::sampled::harmonics::Places;
 use crate::signal::trigonometric::TrigPolynomial;
 use crate::text::Text;
 use ndarray::Array2;
@@ -117,6 +119,22 @@ pub fn grochenig(f: &TrigPolynomial, positions: &[f64], band: f64, steps: usize)
     Ok(Residual::at_most("Gröchenig: every step loses the factor 2Bδ", left, bound))
 }
 
+/// Equations weighted by gaps are well conditioned where the largest gap is at most `gap < 1/(2B)` (V25), however the
+/// positions crowd elsewhere: `κ ≤ (1 + 2Bδ)/(1 − 2Bδ)` (Feichtinger, Gröchenig and Strohmer 1995).
+///
+/// Measured: the condition number that [`Weighted`] finds. Allowed: the bound.
+///
+/// # Errors
+/// As [`Weighted::new`] and [`Weighted::condition`]; a gap that is too long for the band.
+pub fn weighted_condition(period: f64, positions: &[f64], degree: usize, gap: f64) -> Result<Residual> {
+    let factor = 2.0 * gap * degree as f64 / period;
+    within("twice the band times the largest gap", factor, 0.0, 1.0 - f64::EPSILON)?;
+    let places = Places::Anywhere(positions.iter().map(|x| x / period).collect());
+    let condition = Weighted::new(0.0..period, places, degree)?.condition(degree, f64::INFINITY)?;
+    let bound = (1.0 + factor) / (1.0 - factor);
+    Ok(Residual::at_most("weights by gaps bound the condition number", condition, bound))
+}
+
 /// `‖f − g‖`, the root mean square over a period, by Parseval.
 fn distance(f: &TrigPolynomial, g: &TrigPolynomial) -> f64 {
     let at = |p: &TrigPolynomial, k: usize| p.coefficients().get(k).copied().unwrap_or(Complex::ZERO);
@@ -137,6 +155,11 @@ pub fn random_polynomial(seed: u64, period: f64, degree: usize) -> Result<TrigPo
 /// One position in each cell of `0..cells`, anywhere within the middle `width` of it.
 pub fn jittered_cells(seed: u64, cells: usize, width: f64) -> Vec<f64> {
     (0..cells as u64).map(|k| k as f64 + 0.5 + width * (uniform(seed, k, 0) - 0.5)).collect()
+}
+
+/// Positions of a period of 64 that crowd in clusters of four, no gap of which exceeds 1.25.
+fn crowded() -> Vec<f64> {
+    (0..256u64).map(|k| (k / 4) as f64 + 0.25 * uniform(13, k, 0).powi(4) * ((k % 4) as f64 + 1.0)).collect()
 }
 
 fn recovery_of(degree: usize, band: f64) -> Result<Residual> {
@@ -193,5 +216,26 @@ pub static LAWS: &[Law] = &[
         ),
         holds: || [iteration_of(16), iteration_of(5)].map(|r| r.expect("the gaps are below two cells")).into(),
         breaks: || vec![iteration_of(20).expect("the gaps are below two cells")],
+    },
+    Law {
+        name: "weighted-condition",
+        inventory: &["V25"],
+        says: &Text::fixed(
+            "Weighted by their gaps, irregular samples are well conditioned below 1/(2δ), however they crowd",
+            "Взвешенные по промежуткам нерегулярные отсчёты хорошо обусловлены ниже 1/(2δ), как бы они ни скучивались",
+        ),
+        holds: || {
+            let mut positions = crowded();
+            positions.sort_by(f64::total_cmp);
+            let of = |degree| weighted_condition(64.0, &positions, degree, 1.25);
+            [of(5), of(15), of(24)].map(|r| r.expect("the gaps are below 1.25")).into()
+        },
+        breaks: || {
+            // a gap of ten that is not said
+            let mut positions = crowded();
+            positions.retain(|x| !(30.0..40.0).contains(x));
+            positions.sort_by(f64::total_cmp);
+            vec![weighted_condition(64.0, &positions, 15, 1.25).expect("there are samples enough")]
+        },
     },
 ];

@@ -5,6 +5,7 @@ pub mod extremum;
 pub mod faddeeva;
 pub mod fresnel;
 pub mod isoline;
+pub mod mean;
 pub mod quadrature;
 pub mod random;
 mod sinc;

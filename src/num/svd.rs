@@ -85,13 +85,22 @@ impl Svd {
     /// # Errors
     /// Data of another length than the matrix has rows.
     pub fn solve(&self, data: &[f64]) -> Result<Vec<f64>> {
+        self.solve_above(data, 0.0)
+    }
+
+    /// The same without the directions whose singular values are `least` or below: those in which rounding would be
+    /// amplified beyond what is worth it.
+    ///
+    /// # Errors
+    /// As [`Svd::solve`].
+    pub fn solve_above(&self, data: &[f64], least: f64) -> Result<Vec<f64>> {
         let rows = self.scaled[0].len();
         if data.len() != rows {
             return Err(Error::Length { what: "the right-hand side", expected: rows, got: data.len() });
         }
         let mut solution = vec![0.0; self.values.len()];
         for ((scaled, right), &value) in self.scaled.iter().zip(&self.right).zip(&self.values) {
-            if value > 0.0 {
+            if value > least {
                 let weight = dot(scaled, data) / (value * value);
                 solution.iter_mut().zip(right).for_each(|(x, v)| *x += weight * v);
             }

@@ -4,6 +4,7 @@ mod bins;
 pub mod convolution;
 pub mod dft;
 pub mod dtft;
+pub mod harmonics;
 pub mod nonuniform;
 pub mod occupied;
 pub mod power;

@@ -4,7 +4,7 @@ mod picture;
 mod sound;
 mod table;
 
-use crate::cli::sound::quotient;
+use crate::cli::number::quotient;
 use crate::cli::source::Source;
 use crate::cli::{Failure, report};
 use nyquist::door::kind::Kind;
@@ -20,7 +20,7 @@ pub(super) struct Args {
     /// A WAV, PNG, JPEG or CSV file, told apart by its first bytes; `-` is standard input
     input: PathBuf,
     /// The rate of sounds and tables to sample at, in Hz or per unit of the table's times: 8000, 44.1 or 48000/1.001
-    #[arg(short = 'r', long, value_name = "R", value_parser = quotient)]
+    #[arg(short = 'r', long, value_name = "R", value_parser = quotient, allow_negative_numbers = true)]
     rate: Option<f64>,
     /// The least signal-to-alias ratio in dB: how far below the signal all aliases together must stay
     #[arg(long, value_name = "DB")]

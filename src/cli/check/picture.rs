@@ -2,8 +2,9 @@
 
 use crate::cli::Failure;
 use crate::cli::check::{Args, Checked};
-use crate::cli::picture::{Most, open, progress, seen, short};
+use crate::cli::picture::{Most, open, seen, short};
 use crate::cli::source::Source;
+use crate::cli::working::spinner;
 use nyquist::door::carried::Light;
 use nyquist::figure::report::picture::{self as report, Question};
 use nyquist::inspect::picture::band::{Band, Fall};
@@ -58,7 +59,7 @@ pub(super) fn check(source: Source, args: &Args) -> Result<Checked, Failure> {
     let filter: Option<Box<dyn Kernel>> = filter.as_deref().map(catalog::by_name).transpose()?;
     let tolerance = args.tolerance.map_or(Ok(Tolerance::default()), Tolerance::new)?;
     let name = source.name.clone();
-    let progress = progress();
+    let progress = spinner();
     progress.set_message("reading");
     let opened = open(source, *most, Light::Linear)?;
     let image = seen(&opened);

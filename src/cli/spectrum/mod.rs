@@ -7,6 +7,7 @@ mod table;
 use crate::cli::source::Source;
 use crate::cli::{Failure, files};
 use nyquist::door::kind::Kind;
+use nyquist::door::table::{Dialect, Heading, Separator, TableWriter};
 use nyquist::figure::Portrait;
 use nyquist::figure::report::Quantity;
 use nyquist::plot::{Format, Style, Theme, draw};
@@ -52,7 +53,7 @@ pub(super) struct Args {
 struct Computed {
     portrait: Portrait,
     /// The names of the columns, with their units, and the rows.
-    columns: Vec<String>,
+    columns: Vec<Heading>,
     rows: Vec<Vec<f64>>,
     json: Value,
 }
@@ -102,11 +103,8 @@ fn form(path: &Path) -> Result<Form, Failure> {
 
 /// A line for each row; every number is the shortest that reads back as the same.
 fn csv(computed: &Computed) -> String {
-    let mut text = computed.columns.join(",") + "\n";
-    for row in &computed.rows {
-        let cells: Vec<String> = row.iter().map(f64::to_string).collect();
-        text += &cells.join(",");
-        text.push('\n');
-    }
-    text
+    let mut writer = TableWriter::new(Dialect { separator: Separator::Comma, decimal_comma: false });
+    writer.header(&computed.columns);
+    computed.rows.iter().for_each(|row| writer.row(None, row));
+    writer.take()
 }

@@ -1,9 +1,10 @@
 //! `nyquist spectrum` of sounds.
 
 use crate::cli::Failure;
-use crate::cli::sound::{note, note_oddities, open, pump};
+use crate::cli::sound::{note_oddities, open, pump};
 use crate::cli::source::Source;
 use crate::cli::spectrum::{Args, Computed};
+use crate::cli::working::note;
 use nyquist::figure::report::Quantity;
 use nyquist::figure::report::sound::spectrum::{room, spectra, spectrograms, units, value_and_level};
 use nyquist::inspect::sound::dbfs;

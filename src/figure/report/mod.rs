@@ -5,6 +5,7 @@
 
 pub mod picture;
 pub mod sound;
+pub mod table;
 
 use crate::error::{Error, unknown};
 use crate::figure::{Figure, Portrait};

@@ -1,0 +1,278 @@
+//! Recovery from many irregular samples: weights by their gaps, conjugate gradients, a Toeplitz matrix.
+
+use crate::error::{Error, Result, all_finite};
+use crate::num::random::normal;
+use crate::sampled::harmonics::Places;
+use crate::sampled::plan::{RealPlan, fast_length};
+use crate::signal::trigonometric::{TrigPolynomial, rising};
+use num_complex::Complex;
+use std::ops::Range;
+
+/// The equations of the trigonometric polynomial `p` of degree `K` that makes `Σ w_j (p(x_j) − v_j)²` least, where each
+/// sample weighs as much as the way half to both its neighbours is long.
+///
+/// Their matrix `Σ_j w_j e^{−2πi(k−l)u_j}` depends on `k − l` alone, so that a product with it is two Fourier transforms,
+/// and conjugate gradients need nothing else: "ACT" (Feichtinger, Gröchenig and Strohmer, *Efficient numerical methods in
+/// non-uniform sampling theory*, 1995). Where the largest gap `δ` is below `1/(2B)` the weights bound the condition number
+/// of the problem by `(1 + 2Bδ)/(1 − 2Bδ)`, however the samples crowd elsewhere. [`Irregular`] solves the same problem
+/// without weights and by singular values, for hundreds of samples.
+///
+/// [`Irregular`]: crate::beyond::irregular::Irregular
+///
+/// ```
+/// use nyquist::beyond::Weighted;
+/// use nyquist::prelude::*;
+/// use nyquist::num::random::uniform;
+/// use nyquist::sampled::harmonics::Places;
+/// // one sample somewhere in each of 1000 cells, and a tone at 0.8 of their Nyquist frequency
+/// let parts: Vec<f64> = (0..1000u32).map(|i| (f64::from(i) + 0.8 * uniform(1, i.into(), 0)) / 1000.0).collect();
+/// let values: Vec<f64> = parts.iter().map(|u| nyquist::num::cos_pi(800.0 * u)).collect();
+/// let equations = Weighted::new(0.0..1.0, Places::Anywhere(parts), 420)?;
+/// let found = equations.fit(&values, 420)?;
+/// assert!((found.coefficients()[400].re - 0.5).abs() < 1e-12);
+/// assert!(equations.condition(420, 100.0)? < 10.0);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Weighted {
+    start: f64,
+    period: f64,
+    places: Places,
+    weights: Vec<f64>,
+    /// The transform of the weights up to twice the highest degree.
+    gram: Vec<Complex<f64>>,
+}
+
+/// Steps of conjugate gradients after which they are given up.
+const MOST_STEPS: usize = 10_000;
+
+impl Weighted {
+    /// The equations for places of a period, up to a degree.
+    ///
+    /// # Errors
+    /// A period that is not finite and rising; places that are not finite, not strictly rising or not within `0..1`; fewer
+    /// places than the `2K + 1` coefficients; sums that are too long ([`Places::harmonics`]).
+    pub fn new(period: Range<f64>, places: Places, most_degree: usize) -> Result<Self> {
+        let (start, length) = rising("the start of a period", "the end of a period", &period)?;
+        let n = places.len();
+        if n < 2 * most_degree + 1 {
+            let what = "samples that determine so many coefficients";
+            return Err(Error::TooFew { what, least: 2 * most_degree + 1, got: n });
+        }
+        let parts: Vec<f64> = (0..n).map(|i| places.part(i)).collect();
+        all_finite("irregular places", &parts)?;
+        if let Some(&value) = parts.iter().find(|u| !(0.0..1.0).contains(*u)) {
+            return Err(Error::OutOfRange { what: "a place as a part of the period", value, low: 0.0, high: 1.0 });
+        }
+        if let Some(pair) = parts.windows(2).find(|pair| pair[0] >= pair[1]) {
+            let what = "the gap between neighbouring irregular places";
+            return Err(Error::NotPositive { what, value: pair[1] - pair[0] });
+        }
+        let around = |i: usize| match i {
+            _ if n == 1 => 2.0,
+            0 => parts[1] - (parts[n - 1] - 1.0),
+            _ if i == n - 1 => parts[0] + 1.0 - parts[n - 2],
+            _ => parts[i + 1] - parts[i - 1],
+        };
+        let weights: Vec<f64> = (0..n).map(|i| 0.5 * around(i)).collect();
+        let gram = places.harmonics(&weights, 2 * most_degree)?;
+        Ok(Self { start, period: length, places, weights, gram })
+    }
+
+    /// The highest degree that the equations were prepared for.
+    pub fn most_degree(&self) -> usize {
+        self.gram.len() / 2
+    }
+
+    /// The length of the period.
+    pub fn period(&self) -> f64 {
+        self.period
+    }
+
+    /// The weights of the samples, parts of the period; their sum is one.
+    pub fn weights(&self) -> &[f64] {
+        &self.weights
+    }
+
+    /// The polynomial of that degree nearest to `values`; exact to rounding, `κ²ε` of its size, where they are values of
+    /// such a polynomial.
+    ///
+    /// # Errors
+    /// Values of another number than the places, or that are not finite; a degree above the one prepared for; sums that
+    /// are too long; [`Error::IllConditioned`] where ten thousand steps do not suffice.
+    pub fn fit(&self, values: &[f64], degree: usize) -> Result<TrigPolynomial> {
+        self.prepared(degree)?;
+        if values.len() != self.weights.len() {
+            let what = "values at irregular places";
+            return Err(Error::Length { what, expected: self.weights.len(), got: values.len() });
+        }
+        all_finite("values at irregular places", values)?;
+        let weighted: Vec<f64> = values.iter().zip(&self.weights).map(|(v, w)| v * w).collect();
+        let wanted = self.places.harmonics(&weighted, degree)?;
+        let (mut coefficients, ritz) = Toeplitz::new(&self.gram, degree).solve(&wanted, f64::INFINITY);
+        if ritz.steps() >= MOST_STEPS {
+            return Err(ill_conditioned(ritz.condition(), f64::INFINITY));
+        }
+        coefficients[0].im = 0.0;
+        TrigPolynomial::new(self.start..self.start + self.period, coefficients)
+    }
+
+    /// The condition number of the weighted problem of that degree, the root of that of its matrix: by so much relative
+    /// errors of the values may grow. From the values that conjugate gradients pass through on their way to the solution of
+    /// equations with a random right-hand side (Lanczos); an estimate from below that is good to a few per cent.
+    ///
+    /// # Errors
+    /// A degree above the one prepared for; [`Error::IllConditioned`] as soon as it is seen to exceed `most`.
+    pub fn condition(&self, degree: usize, most: f64) -> Result<f64> {
+        const SEED: u64 = 1;
+        self.prepared(degree)?;
+        let random = |k: u64| Complex::new(normal(SEED, k, 0), if k == 0 { 0.0 } else { normal(SEED, k, 1) });
+        let wanted: Vec<Complex<f64>> = (0..=degree as u64).map(random).collect();
+        let (_, ritz) = Toeplitz::new(&self.gram, degree).solve(&wanted, most);
+        let condition = ritz.condition();
+        if condition <= most { Ok(condition) } else { Err(ill_conditioned(condition, most)) }
+    }
+
+    fn prepared(&self, degree: usize) -> Result<()> {
+        let (value, high) = (degree as f64, self.most_degree() as f64);
+        let what = "the degree of a trigonometric polynomial";
+        if degree <= self.most_degree() { Ok(()) } else { Err(Error::OutOfRange { what, value, low: 0.0, high }) }
+    }
+}
+
+fn ill_conditioned(condition: f64, most: f64) -> Error {
+    Error::IllConditioned { what: "recovery from irregular samples", condition, most }
+}
+
+/// The Hermitian Toeplitz matrix `t_{k−l}`, `|k|, |l| ≤ K`, on coefficients of real signals, of which those from zero on
+/// are enough. A product with it is one of signals: the transform of the weights, cut off at `2K`, times the polynomial, on
+/// so many nodes (`4K + 1` at least) that what folds stays beyond `K`.
+struct Toeplitz {
+    degree: usize,
+    density: Vec<f64>,
+    forward: RealPlan,
+    inverse: RealPlan,
+    half: Vec<Complex<f64>>,
+    values: Vec<f64>,
+    work: Vec<Complex<f64>>,
+}
+
+impl Toeplitz {
+    fn new(gram: &[Complex<f64>], degree: usize) -> Self {
+        let n = fast_length(4 * degree + 2);
+        let (forward, inverse) = (RealPlan::forward(n), RealPlan::inverse(n));
+        let mut half = vec![Complex::ZERO; n / 2 + 1];
+        half[..=2 * degree].copy_from_slice(&gram[..=2 * degree]);
+        let (mut density, mut work) = (vec![0.0; n], Vec::new());
+        inverse.restore(&half, &mut density, &mut work);
+        density.iter_mut().for_each(|v| *v /= n as f64);
+        Self { degree, density, forward, inverse, half, values: vec![0.0; n], work }
+    }
+
+    fn times(&mut self, coefficients: &[Complex<f64>]) -> &[Complex<f64>] {
+        self.half.fill(Complex::ZERO);
+        self.half[..=self.degree].copy_from_slice(coefficients);
+        self.inverse.restore(&self.half, &mut self.values, &mut self.work);
+        self.values.iter_mut().zip(&self.density).for_each(|(v, d)| *v *= d);
+        self.forward.transform(&self.values, &mut self.half, &mut self.work);
+        &self.half[..=self.degree]
+    }
+
+    /// Conjugate gradients from zero until the residual is lost in rounding, or the condition number is seen to exceed
+    /// `most`.
+    fn solve(&mut self, wanted: &[Complex<f64>], most: f64) -> (Vec<Complex<f64>>, Ritz) {
+        let mut solution = vec![Complex::ZERO; wanted.len()];
+        let (mut residual, mut direction) = (wanted.to_vec(), wanted.to_vec());
+        let mut square = inner(&residual, &residual);
+        let enough = square * f64::EPSILON * f64::EPSILON;
+        let mut ritz = Ritz::default();
+        while square > enough && ritz.steps() < MOST_STEPS {
+            let product = self.times(&direction);
+            let curvature = inner(&direction, product);
+            if curvature <= 0.0 {
+                break; // only rounding makes a Gram matrix indefinite: it has lost rank
+            }
+            let step = square / curvature;
+            solution.iter_mut().zip(&direction).for_each(|(x, d)| *x += d * step);
+            residual.iter_mut().zip(product).for_each(|(r, p)| *r -= p * step);
+            let next = inner(&residual, &residual);
+            let turn = next / square;
+            direction.iter_mut().zip(&residual).for_each(|(d, r)| *d = r + *d * turn);
+            square = next;
+            ritz.push(step, turn);
+            if most.is_finite() && ritz.steps().is_multiple_of(16) && ritz.condition() > most {
+                break;
+            }
+        }
+        (solution, ritz)
+    }
+}
+
+/// `Σ_k a̅_k b_k` over all `k` from `−K` to `K`, of real signals.
+fn inner(a: &[Complex<f64>], b: &[Complex<f64>]) -> f64 {
+    let upper: f64 = a[1..].iter().zip(&b[1..]).map(|(a, b)| a.re * b.re + a.im * b.im).sum();
+    a[0].re * b[0].re + 2.0 * upper
+}
+
+/// The tridiagonal matrix that conjugate gradients build, whose eigenvalues approach the extreme ones of theirs.
+#[derive(Default)]
+struct Ritz {
+    diagonal: Vec<f64>,
+    /// Squares of what stands beside the diagonal.
+    beside: Vec<f64>,
+    /// What the next diagonal entry begins with.
+    carried: f64,
+}
+
+impl Ritz {
+    fn steps(&self) -> usize {
+        self.diagonal.len()
+    }
+
+    fn push(&mut self, step: f64, turn: f64) {
+        self.diagonal.push(1.0 / step + self.carried);
+        self.beside.push(turn / (step * step));
+        self.carried = turn / step;
+    }
+
+    /// The root of the ratio of the extreme eigenvalues; one if there are none.
+    fn condition(&self) -> f64 {
+        let n = self.steps();
+        if n == 0 {
+            return 1.0;
+        }
+        let side = |i: usize| if i < n - 1 { self.beside[i].sqrt() } else { 0.0 };
+        let reach = |i: usize| side(i) + if i > 0 { side(i - 1) } else { 0.0 };
+        let top = (0..n).map(|i| self.diagonal[i] + reach(i)).fold(0.0, f64::max);
+        let (least, most) = (self.eigenvalue(0, top), self.eigenvalue(n - 1, top));
+        if least > 0.0 { (most / least).sqrt() } else { f64::INFINITY }
+    }
+
+    /// The eigenvalue with `index` smaller ones, all of which lie in `0..=top`, by counting sign changes (Sturm) and
+    /// halving.
+    fn eigenvalue(&self, index: usize, top: f64) -> f64 {
+        let (mut low, mut high) = (0.0, top);
+        for _ in 0..80 {
+            let middle = if low > 0.0 { (low * high).sqrt() } else { high * 1e-3 };
+            if middle <= f64::MIN_POSITIVE || middle <= low || middle >= high {
+                break;
+            }
+            if self.below(middle) > index { high = middle } else { low = middle }
+        }
+        high
+    }
+
+    /// How many eigenvalues are below `value`.
+    fn below(&self, value: f64) -> usize {
+        let (mut count, mut pivot) = (0, 1.0);
+        for i in 0..self.steps() {
+            let before = if i > 0 { self.beside[i - 1] / pivot } else { 0.0 };
+            pivot = self.diagonal[i] - value - before;
+            if pivot == 0.0 {
+                pivot = f64::MIN_POSITIVE;
+            }
+            count += usize::from(pivot < 0.0);
+        }
+        count
+    }
+}

@@ -1,0 +1,113 @@
+//! V25 by conjugate gradients, beside the singular values of [`Irregular`] and the bound of Gröchenig.
+
+use nyquist::beyond::Weighted;
+use nyquist::laws::frames::{jittered_cells, random_polynomial};
+use nyquist::num::random::uniform;
+use nyquist::prelude::*;
+use nyquist::record::Recoverable;
+use nyquist::sampled::harmonics::Places;
+
+fn parts(positions: &[f64], period: f64) -> Places {
+    Places::Anywhere(positions.iter().map(|x| x / period).collect())
+}
+
+fn distance(a: &TrigPolynomial, b: &TrigPolynomial) -> f64 {
+    a.coefficients().iter().zip(b.coefficients()).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max)
+}
+
+#[test]
+fn exact_values_give_the_polynomial_that_singular_values_give() {
+    let positions = jittered_cells(3, 256, 1.0);
+    for (degree, band) in [(20, 20.0), (64, 64.0), (115, 115.0)] {
+        let f = random_polynomial(5, 256.0, degree).unwrap();
+        let values: Vec<f64> = positions.iter().map(|&x| f.at(x)).collect();
+        let equations = Weighted::new(0.0..256.0, parts(&positions, 256.0), degree).unwrap();
+        let condition = equations.condition(degree, 100.0).unwrap();
+        let found = equations.fit(&values, degree).unwrap();
+        let svd = Irregular::new(0.0..256.0, &positions, &values).unwrap().least_squares(band / 256.0, 100.0).unwrap();
+        // normal equations square the condition number: κ²·ε of the values' own rounding, 2Kε·√(2K+1)·rms
+        let degree = degree as f64;
+        let rounding = f64::EPSILON * condition * condition * (2.0 * degree * (2.0 * degree + 1.0).sqrt()) * f.rms();
+        assert!(distance(&f, &found) < rounding, "{degree}: {:e} {rounding:e}", distance(&f, &found));
+        assert!(distance(svd.polynomial(), &found) < rounding);
+    }
+}
+
+#[test]
+fn the_condition_number_is_that_of_the_weighted_matrix_and_below_its_bound() {
+    for (seed, width, degree) in [(1, 0.5, 10), (2, 0.5, 20), (3, 0.9, 15), (4, 0.2, 25)] {
+        let positions = jittered_cells(seed, 64, width);
+        let equations = Weighted::new(0.0..64.0, parts(&positions, 64.0), degree).unwrap();
+        let condition = equations.condition(degree, 1e6).unwrap();
+        // the same by singular values, of rows weighted by the roots of half the ways to both neighbours
+        let samples = Irregular::new(0.0..64.0, &positions, &vec![0.0; 64]).unwrap();
+        let mut matrix = samples.matrix(degree);
+        for (i, mut row) in matrix.rows_mut().into_iter().enumerate() {
+            let (before, after) = (positions[(i + 63) % 64], positions[(i + 1) % 64]);
+            let way = (after - before).rem_euclid(64.0) / 64.0;
+            row.mapv_inplace(|v| v * (0.5 * way).sqrt());
+        }
+        let known = nyquist::num::svd::Svd::of(&matrix).unwrap().condition();
+        assert!((0.95..=1.0 + 1e-9).contains(&(condition / known)), "{condition} {known}");
+        let gamma = 2.0 * samples.largest_gap() * degree as f64 / 64.0;
+        if gamma < 1.0 {
+            assert!(condition <= (1.0 + gamma) / (1.0 - gamma), "{condition} {gamma}");
+        }
+    }
+}
+
+#[test]
+fn a_grid_with_holes_is_the_same_said_as_a_grid() {
+    let nodes: Vec<usize> = (0..200).filter(|k| k % 13 != 4).collect();
+    let f = random_polynomial(6, 200.0, 60).unwrap();
+    let values: Vec<f64> = nodes.iter().map(|&k| f.at(k as f64)).collect();
+    let grid = Places::Grid { nodes: 200, taken: nodes.clone() };
+    let anywhere = Places::Anywhere(nodes.iter().map(|&k| k as f64 / 200.0).collect());
+    let [a, b] = [grid, anywhere].map(|places| Weighted::new(0.0..200.0, places, 60).unwrap());
+    let condition = a.condition(60, 1e3).unwrap();
+    assert!((condition / b.condition(60, 1e3).unwrap() - 1.0).abs() < 1e-6);
+    let bound = 121.0 * f64::EPSILON * condition * condition * 121f64.sqrt() * f.rms();
+    assert!(distance(&f, &a.fit(&values, 60).unwrap()) < bound);
+    assert!(distance(&f, &b.fit(&values, 60).unwrap()) < bound);
+}
+
+#[test]
+fn ten_thousand_irregular_samples_in_a_moment() {
+    let n = 10_000;
+    let positions: Vec<f64> = (0..n).map(|k| k as f64 + uniform(7, k, 0)).collect();
+    let f = random_polynomial(8, n as f64, 4_000).unwrap();
+    let values: Vec<f64> = positions.iter().map(|&x| f.at(x)).collect();
+    let recoverable = Recoverable::new(&positions, None, Edge::Wrap, None, 1e3).unwrap();
+    // the record's own period is not quite that of the polynomial: what is left at the ends is not
+    assert!(recoverable.band() > 0.4 && recoverable.condition() < 100.0);
+    let equations = Weighted::new(0.0..n as f64, parts(&positions, n as f64), 4_000).unwrap();
+    let found = equations.fit(&values, 4_000).unwrap();
+    let condition = equations.condition(4_000, 1e3).unwrap();
+    let bound = f64::EPSILON * condition * condition * 8_000.0 * 8_001f64.sqrt() * f.rms();
+    assert!(distance(&f, &found) < bound, "{:e} {bound:e}", distance(&f, &found));
+}
+
+#[test]
+fn what_is_not_determined_is_refused_with_the_numbers() {
+    let positions: Vec<f64> = (0..64).filter(|k| !(20..40).contains(k)).map(f64::from).collect();
+    let recover = |band: f64| Recoverable::new(&positions, None, Edge::Wrap, Some(band), 1e4).map(|r| r.condition());
+    // Landau: 44 samples of 64 cells
+    assert!(matches!(recover(0.4), Err(Error::OutOfRange { value: 0.4, .. })));
+    // fewer coefficients than samples, but none of them in a third of the period
+    assert!(matches!(recover(0.3), Err(Error::IllConditioned { most: 1e4, .. })));
+    // Gröchenig: below one over twice the gap of 21
+    assert!(recover(0.02).unwrap() < (1.0 + 0.84) / (1.0 - 0.84));
+    let few = Recoverable::new(&[0.0], None, Edge::Wrap, None, 1e4);
+    assert!(matches!(few, Err(Error::TooFew { .. })));
+    let edge = Recoverable::new(&positions, None, Edge::Zero, None, 1e4);
+    assert!(matches!(edge, Err(Error::Unsupported(_))));
+    let order = |places: &[f64]| Weighted::new(0.0..1.0, Places::Anywhere(places.to_vec()), 0).map(|_| ());
+    assert!(matches!(order(&[0.5, 0.5]), Err(Error::NotPositive { .. })));
+    assert!(matches!(order(&[0.5, 1.0]), Err(Error::OutOfRange { .. })));
+    assert!(matches!(order(&[f64::NAN]), Err(Error::NotFiniteAt { .. })));
+    let equations = Weighted::new(0.0..1.0, Places::Anywhere(vec![0.0, 0.3, 0.6]), 1).unwrap();
+    assert!(matches!(equations.fit(&[0.0; 2], 1), Err(Error::Length { .. })));
+    assert!(matches!(equations.fit(&[0.0; 3], 2), Err(Error::OutOfRange { .. })));
+    let sum = Places::Anywhere(vec![0.0; 100_000]).harmonics(&vec![0.0; 100_000], 1 << 20);
+    assert!(matches!(sum, Err(Error::Overflow { .. })));
+}
