@@ -13,6 +13,7 @@ pub mod params;
 
 pub mod common;
 pub mod labels;
+pub mod picture;
 
 pub mod alias;
 pub mod film;
@@ -29,7 +30,7 @@ pub mod catalog;
 
 pub use layer::{Layer, Mark, Meaning, Stroke, Tones};
 pub use motion::Motion;
-pub use panel::{Legend, Panel, Scale};
+pub use panel::{Bar, Legend, Panel, Scale};
 
 use crate::residual::Residual;
 use crate::text::Text;
