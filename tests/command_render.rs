@@ -83,6 +83,7 @@ fn what_cannot_be_rendered_is_refused_with_the_reason_and_nothing_is_written() {
         (&["spheres", "-o", file, "--spp", "10"], "10 is impossible; the nearest numbers are 9 and 16"),
         (&["spheres", "-o", file, "--spp", "99999999999"], "overflows"),
         (&["spheres", "-o", file, "--filter", "ideal"], "infinite radius"),
+        (&["spheres", "-o", file, "--filter", "lanczos-4000"], "must lie between 0 and 32, got 4000"),
         (&["spheres", "-o", file, "--width", "0"], "at least 1 needed, got 0"),
         (&["spheres", "-o", file, "--height", "0"], "at least 1 needed, got 0"),
         (&["spheres", "-o", file, "--width", "4294967296", "--height", "4294967296"], "overflows"),

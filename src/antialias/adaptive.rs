@@ -6,9 +6,10 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::image::Image;
 use crate::num::random::uniform;
-
+use crate::parallel;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+use std::ops::Range;
 
 /// When to stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,16 +69,18 @@ impl PartialOrd for Next {
     }
 }
 
-/// A picture of a field with more samples where they differ: every pixel starts with four jittered ones, and the cell that
-/// can change its pixel most is divided into four, until all are below the contrast or the budget is spent.
+/// A picture of a field with more samples where they differ: every pixel starts with four jittered ones, and the cells that
+/// can change their pixels most are divided into four, until all are below the contrast or the budget is spent.
 ///
 /// A cell's four samples stand one in each quarter; dividing it keeps each and adds three beside it, in the other quarters
 /// of that quarter. So the leaves are a nested jitter, and a pixel is the mean of its samples weighted by their areas.
 /// What a cell can change is how far its samples and the ring of twelve around it lie apart, times the share of the pixel
-/// that it covers: without the ring an edge near a border would be seen from one side only.
+/// that it covers: without the ring an edge near a border would be seen from one side only. Cells that can change more than
+/// half of what the first can are divided together, on all threads: a part has a quarter of the area, and would hardly
+/// have come before them.
 ///
 /// Not exact, and biased: the samples that decide where to look are also those that count (Kirk and Arvo 1991), and what
-/// lies between the first samples is never found (PBRT's warning). The same bits in every run.
+/// lies between the first samples is never found (PBRT's warning). The same bits in every run, for any number of threads.
 ///
 /// ```
 /// use nyquist::prelude::*;
@@ -94,7 +97,7 @@ impl PartialOrd for Next {
 ///
 /// # Errors
 /// A contrast that is negative or not finite, fewer than 4 samples a pixel, a budget of more than 2³⁰ samples.
-pub fn adaptive(field: &impl Field, grid: Grid, budget: Budget, seed: u64) -> Result<Adapted> {
+pub fn adaptive(field: &(impl Field + Sync), grid: Grid, budget: Budget, seed: u64) -> Result<Adapted> {
     finite("the contrast of adaptive sampling", budget.contrast)?;
     positive("the samples a pixel of adaptive sampling", budget.per_pixel)?;
     let (most, pixels) = ((1u32 << 30) as f64, grid.len());
@@ -111,23 +114,25 @@ pub fn adaptive(field: &impl Field, grid: Grid, budget: Budget, seed: u64) -> Re
         return Err(Error::Overflow { what: "the number of adaptive samples", value: allowed, most });
     }
     let mut tree = Tree { field, grid, seed, cells: Vec::new() };
-    for pixel in 0..pixels {
-        tree.push(pixel as u32, 0, [0, 0], None);
-    }
+    tree.cells = parallel::map(pixels, |pixel| tree.cell(pixel as u32, 0, [0, 0], None));
     let mut taken = 4 * pixels;
-    let mut queue: BinaryHeap<Next> = (0..pixels as u32).map(|cell| tree.next(cell)).collect();
+    let mut queue: BinaryHeap<Next> = parallel::map(pixels, |cell| tree.next(cell as u32)).into();
     let mut exhausted = false;
-    while let Some(Next { contrast, cell }) = queue.pop() {
-        if contrast <= budget.contrast {
-            break;
+    while let Some(first) = queue.peek().filter(|first| first.contrast > budget.contrast && !exhausted) {
+        let least = budget.contrast.max(0.5 * first.contrast);
+        let mut together = Vec::new();
+        while let Some(next) = queue.peek().filter(|next| next.contrast > least) {
+            if tree.cells[next.cell as usize].level < DEEPEST {
+                together.push(next.cell);
+            }
+            queue.pop();
         }
-        if (taken + 12) as f64 > allowed {
-            exhausted = true;
-            break;
-        }
-        let Some(first) = tree.divide(cell) else { continue };
-        taken += 12;
-        queue.extend((first..first + 4).map(|cell| tree.next(cell)));
+        let room = ((allowed - taken as f64) / 12.0) as usize;
+        exhausted = together.len() > room;
+        together.truncate(room);
+        taken += 12 * together.len();
+        let parts = tree.divide(&together);
+        queue.extend(parallel::map(parts.len(), |i| tree.next(parts.start + i as u32)));
     }
     let (mut values, mut counts) = (Vec::with_capacity(pixels), Vec::with_capacity(pixels));
     for pixel in 0..pixels as u32 {
@@ -146,7 +151,7 @@ struct Tree<'a, F> {
     cells: Vec<Cell>,
 }
 
-impl<F: Field> Tree<'_, F> {
+impl<F: Field + Sync> Tree<'_, F> {
     /// What a cell can change its pixel by: how far its four samples and the twelve around it lie apart, times its area.
     fn next(&self, index: u32) -> Next {
         let cell = &self.cells[index as usize];
@@ -183,8 +188,8 @@ impl<F: Field> Tree<'_, F> {
         Some(cell.samples[quarter(level, depth)][2])
     }
 
-    /// A new cell with a sample in every quarter, one of which may be known.
-    fn push(&mut self, pixel: u32, level: u8, at: [u32; 2], known: Option<[f64; 3]>) {
+    /// A cell with a sample in every quarter, one of which may be known.
+    fn cell(&self, pixel: u32, level: u8, at: [u32; 2], known: Option<[f64; 3]>) -> Cell {
         let width = self.grid.width();
         let (column, row) = ((pixel as usize % width) as i64, (pixel as usize / width) as i64);
         let seed = pixel_seed(self.seed, column, row);
@@ -203,21 +208,24 @@ impl<F: Field> Tree<'_, F> {
             let (x, y) = (middle_x + (u - 0.5) * self.grid.x().step(), middle_y + (v - 0.5) * self.grid.y().step());
             [u, v, self.field.at(x, y)]
         });
-        self.cells.push(Cell { pixel, level, at, samples, parts: None });
+        Cell { pixel, level, at, samples, parts: None }
     }
 
-    /// The first of the four parts of a cell, or nothing where it is as small as can be.
-    fn divide(&mut self, cell: u32) -> Option<u32> {
-        let Cell { pixel, level, at, samples, .. } = self.cells[cell as usize];
-        if level >= DEEPEST {
-            return None;
-        }
+    /// Divides cells into four each; where the parts are, one cell's after the other's.
+    fn divide(&mut self, cells: &[u32]) -> Range<u32> {
+        let parts = parallel::map(cells.len(), |i| {
+            let Cell { pixel, level, at, samples, .. } = self.cells[cells[i] as usize];
+            [0u32, 1, 2, 3].map(|quarter| {
+                let at = [2 * at[0] + quarter % 2, 2 * at[1] + quarter / 2];
+                self.cell(pixel, level + 1, at, Some(samples[quarter as usize]))
+            })
+        });
         let first = self.cells.len() as u32;
-        self.cells[cell as usize].parts = Some(first);
-        for (quarter, sample) in (0u32..).zip(samples) {
-            self.push(pixel, level + 1, [2 * at[0] + quarter % 2, 2 * at[1] + quarter / 2], Some(sample));
+        for (cell, place) in cells.iter().zip((first..).step_by(4)) {
+            self.cells[*cell as usize].parts = Some(place);
         }
-        Some(first)
+        self.cells.extend(parts.into_iter().flatten());
+        first..self.cells.len() as u32
     }
 
     /// The mean over a cell, and how many samples it has.

@@ -1,12 +1,14 @@
 //! Recovery from many irregular samples: weights by their gaps, conjugate gradients, a Toeplitz matrix.
 
+use crate::engine::fft::{Butterflies, RealFft, fast_length};
 use crate::error::{Error, Result, all_finite};
 use crate::num::random::normal;
 use crate::sampled::harmonics::Places;
-use crate::sampled::plan::{RealPlan, fast_length};
 use crate::signal::trigonometric::{TrigPolynomial, rising};
 use num_complex::Complex;
 use std::ops::Range;
+
+const NODES: &str = "rooms are as long as their transform";
 
 /// The equations of the trigonometric polynomial `p` of degree `K` that makes `Σ w_j (p(x_j) − v_j)²` least, where each
 /// sample weighs as much as the way half to both its neighbours is long.
@@ -150,31 +152,29 @@ fn ill_conditioned(condition: f64, most: f64) -> Error {
 struct Toeplitz {
     degree: usize,
     density: Vec<f64>,
-    forward: RealPlan,
-    inverse: RealPlan,
+    fft: RealFft<f64>,
     half: Vec<Complex<f64>>,
     values: Vec<f64>,
-    work: Vec<Complex<f64>>,
 }
 
 impl Toeplitz {
     fn new(gram: &[Complex<f64>], degree: usize) -> Self {
         let n = fast_length(4 * degree + 2);
-        let (forward, inverse) = (RealPlan::forward(n), RealPlan::inverse(n));
+        let fft = RealFft::with(n, Butterflies::Scalar).expect(NODES);
         let mut half = vec![Complex::ZERO; n / 2 + 1];
         half[..=2 * degree].copy_from_slice(&gram[..=2 * degree]);
-        let (mut density, mut work) = (vec![0.0; n], Vec::new());
-        inverse.restore(&half, &mut density, &mut work);
+        let mut density = vec![0.0; n];
+        fft.inverse(&half, &mut density).expect(NODES);
         density.iter_mut().for_each(|v| *v /= n as f64);
-        Self { degree, density, forward, inverse, half, values: vec![0.0; n], work }
+        Self { degree, density, fft, half, values: vec![0.0; n] }
     }
 
     fn times(&mut self, coefficients: &[Complex<f64>]) -> &[Complex<f64>] {
         self.half.fill(Complex::ZERO);
         self.half[..=self.degree].copy_from_slice(coefficients);
-        self.inverse.restore(&self.half, &mut self.values, &mut self.work);
+        self.fft.inverse(&self.half, &mut self.values).expect(NODES);
         self.values.iter_mut().zip(&self.density).for_each(|(v, d)| *v *= d);
-        self.forward.transform(&self.values, &mut self.half, &mut self.work);
+        self.fft.forward(&self.values, &mut self.half).expect(NODES);
         &self.half[..=self.degree]
     }
 

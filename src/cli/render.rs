@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 #[command(after_help = "Examples:
   nyquist render spheres -o spheres.png
   nyquist render defocus -o noisy.png --spp 16 --pattern random
-  nyquist render zone-plate -o rings.png --width 512 --height 512 --spp 1 --pattern regular --filter lanczos-3
+  nyquist render zone-plate -o rings.png --spp 1 --pattern regular --filter box
   nyquist render --list")]
 pub(super) struct Args {
     /// The scene; --list has them all

@@ -1,5 +1,6 @@
 //! Layers: data with a name, a meaning and a mark.
 
+use crate::image::Rgb;
 use crate::text::Text;
 use ndarray::Array2;
 
@@ -141,6 +142,12 @@ impl Layer {
         Self::new(name, Meaning::Signal, Mark::Raster { x, y, values, low, high, tones })
     }
 
+    /// A picture in colours, drawn as equal cells over `x × y`, row 0 at the lowest `y`.
+    pub fn colors(name: &'static str, x: (f64, f64), y: (f64, f64), picture: &Rgb) -> Self {
+        let light = Box::new(picture.planes().each_ref().map(|plane| plane.pixels().clone()));
+        Self::new(name, Meaning::Signal, Mark::Colors { x, y, light })
+    }
+
     /// With an entry in the legend.
     #[must_use]
     pub fn label(mut self, label: Text) -> Self {
@@ -232,4 +239,29 @@ pub enum Mark {
         /// The tones.
         tones: Tones,
     },
+    /// A grid of colours in linear light, from 0 to 1.
+    Colors {
+        /// The horizontal interval it covers.
+        x: (f64, f64),
+        /// The vertical interval it covers.
+        y: (f64, f64),
+        /// Red, green and blue, row 0 at the lowest y.
+        light: Box<[Array2<f64>; 3]>,
+    },
+}
+
+impl Mark {
+    /// Whether it is a grid of cells that cover what lies below.
+    pub fn is_image(&self) -> bool {
+        matches!(self, Self::Raster { .. } | Self::Colors { .. })
+    }
+
+    /// Rows and columns of a grid of cells; none for other marks.
+    pub fn cells(&self) -> (usize, usize) {
+        match self {
+            Self::Raster { values, .. } => values.dim(),
+            Self::Colors { light, .. } => light[0].dim(),
+            _ => (0, 0),
+        }
+    }
 }

@@ -14,6 +14,7 @@ mod portrait;
 
 pub mod common;
 pub mod labels;
+pub mod picture;
 
 pub mod alias;
 pub mod film;
@@ -31,7 +32,7 @@ pub mod catalog;
 
 pub use layer::{Layer, Mark, Meaning, Stroke, Tones};
 pub use motion::Motion;
-pub use panel::{Legend, Panel, Scale};
+pub use panel::{Bar, Legend, Panel, Scale};
 pub use portrait::Portrait;
 
 use crate::residual::Residual;

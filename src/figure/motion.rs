@@ -9,7 +9,7 @@ use crate::figure::Figure;
 /// // the wheel's still stands for itself; its motion is data of the same figure
 /// let figure = by_name("f03-strobing")?.figure()?;
 /// let motion = figure.motion.expect("the wheel turns");
-/// assert!(motion.frames.len() <= 30 && motion.seconds() < 10.0);
+/// assert!(motion.frames.len() <= 90 && motion.seconds() < 5.0);
 /// # Ok::<(), nyquist::error::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

@@ -63,6 +63,36 @@ pub struct Panel {
     pub square: bool,
     /// How many columns of the grid it takes.
     pub span: usize,
+    /// What the tones of its raster stand for, drawn as a bar to its right.
+    pub bar: Option<Bar>,
+}
+
+/// A bar of tones with numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bar {
+    label: Text,
+    powers: bool,
+}
+
+impl Bar {
+    /// Of the raster's values.
+    pub fn values(label: Text) -> Self {
+        Self { label, powers: false }
+    }
+
+    /// Of ten to the power of the raster's values.
+    pub fn powers_of_ten(label: Text) -> Self {
+        Self { label, powers: true }
+    }
+
+    /// Its scale beside a raster whose first and last tone stand for these values.
+    pub fn scale(&self, (low, high): (f64, f64)) -> Scale {
+        if self.powers {
+            Scale::log(self.label.clone(), 10f64.powf(low), 10f64.powf(high))
+        } else {
+            Scale::linear(self.label.clone(), low, high)
+        }
+    }
 }
 
 /// Where a panel's legend stands.
@@ -84,7 +114,7 @@ pub enum Legend {
 impl Panel {
     /// An empty panel.
     pub fn new(name: &'static str, title: Text, x: Scale, y: Scale) -> Self {
-        Self { name, title, x, y, layers: Vec::new(), legend: Legend::default(), square: false, span: 1 }
+        Self { name, title, x, y, layers: Vec::new(), legend: Legend::default(), square: false, span: 1, bar: None }
     }
 
     /// With one more layer on top.
@@ -112,6 +142,23 @@ impl Panel {
     #[must_use]
     pub fn span(mut self, columns: usize) -> Self {
         self.span = columns;
+        self
+    }
+
+    /// With a bar that says which tone of its raster stands for which value.
+    ///
+    /// ```
+    /// use nyquist::figure::{Bar, Layer, Panel, Scale, Tones};
+    /// use nyquist::text::Text;
+    /// let side = || Scale::linear(Text::EMPTY, 0.0, 1.0);
+    /// let exponents = Layer::raster("errors", (0.0, 1.0), (0.0, 1.0), ndarray::arr2(&[[-4.0, -1.0]]), (-4.0, 0.0), Tones::Data);
+    /// let panel = Panel::new("map", Text::EMPTY, side(), side()).with(exponents).bar(Bar::powers_of_ten(Text::EMPTY));
+    /// // from −4 to 0, read as numbers from 0.0001 to 1
+    /// assert_eq!(panel.bar.map(|bar| bar.scale((-4.0, 0.0)).range), Some((1e-4, 1.0)));
+    /// ```
+    #[must_use]
+    pub fn bar(mut self, bar: Bar) -> Self {
+        self.bar = Some(bar);
         self
     }
 

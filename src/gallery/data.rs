@@ -63,6 +63,11 @@ impl Cell<'_> {
     }
 }
 
+/// The middle of the cell `i` of `n`.
+fn middle((low, high): (f64, f64), i: usize, n: usize) -> f64 {
+    low + (high - low) * (i as f64 + 0.5) / n as f64
+}
+
 fn table(layer: &Layer) -> (Vec<&'static str>, Vec<Vec<Cell<'_>>>) {
     fn numbers<const N: usize>(rows: impl IntoIterator<Item = [f64; N]>) -> Vec<Vec<Cell<'static>>> {
         rows.into_iter().map(|row| row.map(Cell::Number).into()).collect()
@@ -92,10 +97,18 @@ fn table(layer: &Layer) -> (Vec<&'static str>, Vec<Vec<Cell<'_>>>) {
         }
         Mark::Raster { x, y, values, .. } => {
             let (rows, columns) = values.dim();
-            let at = |(low, high): (f64, f64), i: usize, n: usize| low + (high - low) * (i as f64 + 0.5) / n as f64;
             let cells = values.indexed_iter();
-            let places = cells.map(|((iy, ix), &v)| [at(*x, ix, columns), at(*y, iy, rows), v]);
+            let places = cells.map(|((iy, ix), &v)| [middle(*x, ix, columns), middle(*y, iy, rows), v]);
             (vec!["x", "y", "value"], numbers(places))
+        }
+        Mark::Colors { x, y, light } => {
+            let (rows, columns) = light[0].dim();
+            let cells = light[0].indexed_iter();
+            let places = cells.map(|((iy, ix), &red)| {
+                let [green, blue] = [&light[1], &light[2]].map(|plane| plane[[iy, ix]]);
+                [middle(*x, ix, columns), middle(*y, iy, rows), red, green, blue]
+            });
+            (vec!["x", "y", "red", "green", "blue"], numbers(places))
         }
     }
 }

@@ -27,7 +27,7 @@ pub fn animated(scenes: &[Scene], rate: u16) -> Vec<u8> {
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Balanced);
-    encoder.set_filter(png::Filter::Adaptive);
+    encoder.set_filter(png::Filter::NoFilter); // drawings are even: filters make more of them
     let written = encoder
         .set_animated(scenes.len() as u32, 0)
         .and_then(|()| encoder.set_frame_delay(1, rate))

@@ -74,8 +74,7 @@ impl Sheet<'_> {
         ));
         let frame = stroke(theme.frame(), 1.6 * sizes.one);
         let outline = Rectangle::new([(placed.x.low(), placed.y.high()), (placed.x.high(), placed.y.low())], frame);
-        let (images, others): (Vec<&Layer>, Vec<&Layer>) =
-            placed.panel.layers.iter().partition(|l| matches!(l.mark, Mark::Raster { .. }));
+        let (images, others): (Vec<&Layer>, Vec<&Layer>) = placed.panel.layers.iter().partition(|l| l.mark.is_image());
         let mut painter =
             Painter { chart: &mut chart, canvas: self.canvas, x: &placed.x, y: &placed.y, plot, clip, theme, sizes };
         for layer in images {
@@ -90,6 +89,7 @@ impl Sheet<'_> {
             self.notes(&chart, layer, placed)?;
         }
         self.canvas.set(With::default());
+        self.bar(placed)?;
         self.legend(placed)?;
         self.title(placed)
     }
@@ -97,8 +97,7 @@ impl Sheet<'_> {
     /// Grid, ticks, numbers and labels of the scales, by plotters.
     fn mesh(&self, chart: &mut Chart<'static>, placed: &Placed<'_>) -> Result<(), Failure> {
         let (sizes, theme) = (self.sizes, self.theme);
-        let has = |image: &Layer| matches!(image.mark, Mark::Raster { .. });
-        let grid = !placed.panel.layers.iter().any(has);
+        let grid = !placed.panel.layers.iter().any(|layer| layer.mark.is_image());
         let light = stroke(theme.grid(), 1.2 * sizes.one);
         let axes = self.style(sizes.body, FontStyle::Normal, theme.text());
         let mut mesh = chart.configure_mesh();
@@ -126,7 +125,7 @@ impl Sheet<'_> {
     }
 
     /// Text centred at a place.
-    fn write(
+    pub(super) fn write(
         &self,
         text: &Fitted,
         weight: FontStyle,
@@ -169,7 +168,7 @@ impl Sheet<'_> {
         let rgb = if layer.meaning == Meaning::Guide { self.theme.text() } else { self.theme.colour(layer.meaning) };
         self.canvas.set(With { halo: Some(halo(self.theme, sizes.body)), ..With::default() });
         // On an image a halo is not enough: letters get a plate.
-        let plate = placed.panel.layers.iter().any(|l| matches!(l.mark, Mark::Raster { .. }));
+        let plate = placed.panel.layers.iter().any(|layer| layer.mark.is_image());
         for ([x, y], text) in notes {
             if !placed.x.shows(*x) || !placed.y.shows(*y) {
                 continue;

@@ -1,9 +1,10 @@
 //! Where everything stands: the grid of panels, their margins, ticks and titles, from measured text.
 
+use super::bar::{self, Gauge};
 use super::chart::Frame;
 use super::legend::{self, Listed};
 use super::look::Sizes;
-use super::raster::settled;
+use super::raster::{cells, settled};
 use super::ruler::{Room, Ruler};
 use super::typeset::{self, CAP, Face, LEADING};
 use crate::figure::{Figure, Legend, Panel, Scale};
@@ -20,13 +21,18 @@ pub(super) struct Placed<'a> {
     pub title: Fitted,
     pub x_label: Fitted,
     pub y_label: Fitted,
+    pub bar: Option<Gauge>,
     pub legend: Option<Listed<'a>>,
     /// Whether the legend stands above the plot.
     above: bool,
     /// How far the title stands above the plot to be level with the others of its row.
     pub raised: f64,
+    /// What its column and row need, and what it needs itself.
     margins: Margins,
+    own: Margins,
     pub cell: Frame,
+    /// Whether the panel below counts the same along the same scale: numbers stand there alone.
+    stacked: bool,
     row: usize,
     columns: (usize, usize),
 }
@@ -44,7 +50,7 @@ impl Fitted {
         Self { text, size }
     }
 
-    fn lines(&self) -> f64 {
+    pub(super) fn lines(&self) -> f64 {
         self.text.lines().count() as f64
     }
 
@@ -70,6 +76,16 @@ impl Margins {
             right: self.right.max(other.right),
             top: self.top.max(other.top),
             bottom: self.bottom.max(other.bottom),
+        }
+    }
+
+    /// What they leave of a cell, in whole units.
+    fn within(self, cell: Frame) -> Frame {
+        Frame {
+            left: (cell.left + self.left).ceil(),
+            top: (cell.top + self.top).ceil(),
+            right: (cell.right - self.right).floor(),
+            bottom: (cell.bottom - self.bottom).floor(),
         }
     }
 }
@@ -121,20 +137,45 @@ fn settle(panels: &mut [Placed<'_>], sizes: &Sizes, lang: Lang) {
         }
         let needs: Vec<Margins> = panels.iter().map(|p| p.needs(sizes)).collect();
         let shared: Vec<Margins> = panels.iter().map(|p| p.shared(panels, &needs)).collect();
-        for (p, needed) in panels.iter_mut().zip(shared) {
-            p.margins = if round < 2 { needed } else { p.margins.max(needed) };
-            let m = p.margins;
-            let room = Frame {
-                left: (p.cell.left + m.left).ceil(),
-                top: (p.cell.top + m.top).ceil(),
-                right: (p.cell.right - m.right).floor(),
-                bottom: (p.cell.bottom - m.bottom).floor(),
-            };
-            p.plot = settled(p.panel, room);
+        for ((p, shared), own) in panels.iter_mut().zip(shared).zip(needs) {
+            let own = Margins { top: shared.top, ..own };
+            for (margins, needed) in [(&mut p.margins, shared), (&mut p.own, own)] {
+                *margins = if round < 2 { needed } else { margins.max(needed) };
+            }
+            let room = p.margins.within(p.cell);
+            p.plot =
+                if p.panel.square { pictured(p.panel, p.own.within(p.cell), room) } else { settled(p.panel, room) };
         }
     }
+    level(panels);
     for p in panels {
         p.measure(sizes, lang);
+    }
+}
+
+/// The plot of a picture: as large as its own margins allow, and as near to the middle of its column as they do.
+fn pictured(panel: &Panel, own: Frame, column: Frame) -> Frame {
+    let plot = settled(panel, own);
+    let middle = 0.5 * (column.left + column.right - plot.width());
+    let left = middle.max(own.left).min(own.right - plot.width()).round();
+    Frame { left, right: left + plot.width(), ..plot }
+}
+
+/// Pictures of a row, which are as high as suits their cells, stand level at the top, and so do their titles. Those of one
+/// scale are equally large, though one may have to spare the room for a bar.
+fn level(panels: &mut [Placed<'_>]) {
+    let kind = |p: &Placed<'_>| (p.row, p.panel.x.range, p.panel.y.range, cells(p.panel));
+    let seen: Vec<_> = panels.iter().filter(|p| p.panel.square).map(|p| (kind(p), p.plot)).collect();
+    for p in panels.iter_mut().filter(|p| p.panel.square) {
+        let row = seen.iter().filter(|(other, _)| other.0 == p.row);
+        let top = row.map(|(_, plot)| plot.top).fold(p.plot.top, f64::min);
+        let least = |length: fn(&Frame) -> f64| {
+            let alike = seen.iter().filter(|(other, _)| *other == kind(p));
+            alike.map(|(_, plot)| length(plot)).fold(length(&p.plot), f64::min)
+        };
+        let (width, height) = (least(Frame::width), least(Frame::height));
+        let left = (0.5 * (p.plot.left + p.plot.right - width)).round();
+        p.plot = Frame { left, top, right: left + width, bottom: top + height };
     }
 }
 
@@ -181,16 +222,24 @@ fn grid<'a>(figure: &'a Figure, page: Frame, sizes: &Sizes) -> Vec<Placed<'a>> {
             title: Fitted::default(),
             x_label: Fitted::default(),
             y_label: Fitted::default(),
+            bar: None,
             legend: None,
             above: panel.legend == Legend::Above,
             raised: 0.0,
             margins: Margins::default(),
+            own: Margins::default(),
             cell,
+            stacked: false,
             row,
             columns,
         }
     };
-    places.into_iter().map(place).collect()
+    let mut panels: Vec<Placed<'a>> = places.into_iter().map(place).collect();
+    // a row without numbers makes room only if all of it does without
+    let below = |p: &Placed<'_>, q: &Placed<'_>| (q.row, q.columns) == (p.row + 1, p.columns) && q.panel.x == p.panel.x;
+    let open: Vec<usize> = panels.iter().filter(|p| !panels.iter().any(|q| below(p, q))).map(|p| p.row).collect();
+    panels.iter_mut().for_each(|p| p.stacked = !open.contains(&p.row));
+    panels
 }
 
 impl Placed<'_> {
@@ -205,7 +254,16 @@ impl Placed<'_> {
         self.y = ruler(&self.panel.y, height, &tall, most(height, 1.9, 8));
         let body = |text: &str, room| Fitted::new(text, Face::Regular, sizes.body, sizes.least, room);
         self.x_label = body(self.panel.x.label.get(lang), self.cell.width().min(1.6 * width));
+        if self.stacked {
+            self.x.ticks.iter_mut().for_each(|tick| tick.1.clear());
+            self.x_label = Fitted::default();
+        }
         self.y_label = body(self.panel.y.label.get(lang), height.max(4.0 * sizes.body));
+        self.bar = bar::scale(self.panel).map(|(scale, tones)| Gauge {
+            ruler: ruler(&scale, height, &tall, most(height, 1.9, 8)),
+            label: body(scale.label.get(lang), height.max(4.0 * sizes.body)),
+            tones,
+        });
         let title = self.panel.title.get(lang);
         self.title = Fitted::new(title, Face::Bold, sizes.heading, sizes.least, self.cell.width());
         self.legend = if self.above { legend::rows(self.panel, sizes, lang, width) } else { None };
@@ -252,21 +310,23 @@ impl Placed<'_> {
         let rows = self.rows();
         Margins {
             left: left.max(over(0.0)).max(label),
-            right: over(1.0).max(label).max(2.0 * sizes.one),
+            right: over(1.0).max(label).max(2.0 * sizes.one).max(self.bar.as_ref().map_or(0.0, |bar| bar.room(sizes))),
             top: (title + rows).max(0.5 * sizes.body),
             bottom: below + 0.28 * sizes.body,
         }
     }
 
     /// Panels of a column share their left and right margins, those of a row their upper and lower ones, so that plots
-    /// stand in line.
+    /// stand in line. Pictures, which do not fill their cells, share the upper ones alone.
     fn shared(&self, panels: &[Placed<'_>], needs: &[Margins]) -> Margins {
         let most = |same: &dyn Fn(&Placed<'_>) -> bool, of: &dyn Fn(&Margins) -> f64| {
             panels.iter().zip(needs).filter(|(p, _)| same(p)).map(|(_, m)| of(m)).fold(0.0, f64::max)
         };
+        // what stands beside a picture is no concern of the plots above and below it
+        let counts = |p: &Placed<'_>| self.panel.square || !p.panel.square;
         Margins {
-            left: most(&|p| p.columns.0 == self.columns.0, &|m| m.left),
-            right: most(&|p| p.columns.1 == self.columns.1, &|m| m.right),
+            left: most(&|p| p.columns.0 == self.columns.0 && counts(p), &|m| m.left),
+            right: most(&|p| p.columns.1 == self.columns.1 && counts(p), &|m| m.right),
             top: most(&|p| p.row == self.row, &|m| m.top),
             bottom: most(&|p| p.row == self.row, &|m| m.bottom),
         }

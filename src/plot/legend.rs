@@ -8,7 +8,7 @@ use super::layout::Placed;
 use super::look::{Look, Marker, Sizes, filled, stroke};
 use super::palette::table;
 use super::ruler::Ruler;
-use super::scene::{FINE, Image, fine};
+use super::scene::{FINE, Image, Pixels, fine};
 use super::typeset::{self, Face, LEADING};
 use crate::figure::{Layer, Legend, Mark, Panel};
 use crate::text::Lang;
@@ -202,7 +202,7 @@ fn covered(panel: &Panel, frame: Frame, plot: Frame, x: &Ruler, y: &Ruler) -> us
         Mark::Pointers(p) => p.iter().filter(|[a, b]| crosses(place(a[0], a[1]), place(b[0], b[1]))).count(),
         Mark::Notes(notes) => notes.iter().filter(|(p, _)| under(place(p[0], p[1]))).count(),
         Mark::Area(p) => p.iter().filter(|p| crosses(place(p[0], p[1]), place(p[0], p[2]))).count(),
-        Mark::Verticals(_) | Mark::Horizontals(_) | Mark::Spans(_) | Mark::Raster { .. } => 0,
+        Mark::Verticals(_) | Mark::Horizontals(_) | Mark::Spans(_) | Mark::Raster { .. } | Mark::Colors { .. } => 0,
     };
     panel.layers.iter().map(count).sum()
 }
@@ -288,19 +288,15 @@ impl Sheet<'_> {
                 self.root.draw(&path(vec![at(0.0, 0.0), at(0.85, 0.0)]))?;
                 self.root.draw(&Polygon::new(head((1.0, 0.0), false), filled(look.rgb, 1.0)))?;
             }
-            Mark::Area(_) => self.root.draw(&area(0.4))?,
+            Mark::Area(_) => self.root.draw(&area(self.theme.wash(0.4)))?,
             Mark::Bars { .. } => self.root.draw(&area(0.8))?,
-            Mark::Spans(_) => self.root.draw(&area(0.35))?,
+            Mark::Spans(_) => self.root.draw(&area(self.theme.wash(0.35)))?,
             Mark::Verticals(_) => self.root.draw(&path(vec![at(0.5, 0.45), at(0.5, -0.45)]))?,
-            Mark::Notes(_) => {}
+            Mark::Notes(_) | Mark::Colors { .. } => {}
             Mark::Raster { tones, .. } => {
-                self.canvas.image(Image {
-                    corners: (at(0.05, -0.36), at(0.95, 0.36)),
-                    cells: (8, 1),
-                    tones: (0..8).map(|i| (i * 36) as u8).collect(),
-                    table: Rc::new(table(*tones)),
-                    clip: None,
-                });
+                let tones = Pixels::Toned { tones: (0..8).map(|i| i * 36).collect(), table: Rc::new(table(*tones)) };
+                let corners = (at(0.05, -0.36), at(0.95, 0.36));
+                self.canvas.image(Image { corners, cells: (8, 1), pixels: tones, clip: None });
             }
         }
         Ok(())

@@ -6,9 +6,9 @@ use super::chart::{Chart, Frame};
 use super::elements::{Arrow, Curve, Tip, corners};
 use super::look::{Look, Marker, Sizes, filled, stroke};
 use super::palette::Theme;
-use super::raster;
+use super::raster::Place;
 use super::ruler::Ruler;
-use super::scene::FINE;
+use super::scene::{FINE, Image};
 use crate::figure::{Layer, Mark, Meaning};
 use plotters::prelude::{Circle, EmptyElement, PathElement, Polygon, Rectangle};
 
@@ -48,13 +48,22 @@ impl Painter<'_> {
             Mark::Pointers(pointers) => self.pointers(pointers, &look),
             Mark::Notes(_) => Ok(()),
             Mark::Raster { x, y, values, low, high, tones } => {
-                let cells = raster::Cells { x: *x, y: *y, values, low: *low, high: *high, tones: *tones };
-                if let Some(image) = raster::image(&cells, self.x, self.y, self.plot, self.clip) {
-                    self.canvas.image(image);
-                }
+                let place = |size| Place::of(*x, *y, size, (self.x, self.y), self.plot);
+                let image = place(values.dim()).map(|place| place.toned(values, (*low, *high), *tones));
+                self.images(image);
+                Ok(())
+            }
+            Mark::Colors { x, y, light } => {
+                let place = |size| Place::of(*x, *y, size, (self.x, self.y), self.plot);
+                self.images(place(light[0].dim()).map(|place| place.colored(light)));
                 Ok(())
             }
         }
+    }
+
+    /// An image, cut at the frame.
+    fn images(&self, image: Option<Image>) {
+        image.into_iter().for_each(|image| self.canvas.image(Image { clip: Some(self.clip), ..image }));
     }
 
     /// Whether both coordinates can be drawn; infinite ones would pull lines to wrong places.
@@ -168,7 +177,8 @@ impl Painter<'_> {
     }
 
     fn area(&mut self, points: &[[f64; 3]], meaning: Meaning, look: &Look) -> Result<(), Failure> {
-        let opacity = if meaning == Meaning::Leaked || meaning == Meaning::Error { 0.42 } else { 0.26 };
+        let strong = meaning == Meaning::Leaked || meaning == Meaning::Error;
+        let opacity = self.theme.wash(if strong { 0.42 } else { 0.26 });
         let log = self.y.log();
         for part in points.split(|p| !p.iter().all(|v| v.is_finite())) {
             // On a logarithmic scale an area from zero starts at the bottom.
@@ -194,7 +204,7 @@ impl Painter<'_> {
     }
 
     fn spans(&mut self, intervals: &[[f64; 2]], look: &Look) -> Result<(), Failure> {
-        let style = filled(look.rgb, 0.15);
+        let style = filled(look.rgb, self.theme.wash(0.15));
         let (low, high) = (self.y.low(), self.y.high());
         let sound = intervals.iter().filter(|i| i.iter().all(|v| !self.x.part(*v).is_nan()));
         let spans: Vec<_> = sound.map(|[a, b]| Rectangle::new([(*a, high), (*b, low)], style)).collect();

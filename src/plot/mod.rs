@@ -8,11 +8,13 @@
 //!
 //! - Letters have 26 units with one or two panels, 18 with ten and more, on a slide of 1600 × 900. Ticks are thinned
 //!   until their numbers have room; titles and labels that are too long shrink to 18 units, then break at spaces.
-//! - Plots of a column share their margins, and so do those of a row.
+//! - Plots of a column share their margins, and so do those of a row; pictures take what room there is.
+//! - Rows of panels over others of the same horizontal scales leave the numbers to the lowest.
 //! - A legend stands in the corner that its panel names; if it would hide data there, in a free corner; if there is
 //!   none, above the plot. Layers of one label share an entry.
 //! - Lines are cut at the frame. Dots beyond it are left out; on it they are whole. Notes are moved into their panel.
-//! - Cells of a raster are whole units: a plot shrinks to the next multiple of its raster. A raster fits well where a
+//! - A panel that says what its tones stand for has a bar with numbers to its right.
+//! - Pictures of a row stand level. Cells of a raster are whole units: a plot shrinks to the next multiple of its raster. A raster fits well where a
 //!   multiple of its cells is about the room of a square plot: 640 units in one row of one or two columns, 400 in three,
 //!   300 in four, 290 in two rows. Cells below a unit are averaged in linear light.
 //!
@@ -30,6 +32,7 @@
 //! ```
 
 mod apng;
+mod bar;
 mod canvas;
 mod chart;
 mod elements;

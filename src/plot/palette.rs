@@ -70,6 +70,14 @@ impl Theme {
         }
     }
 
+    /// How much of a colour an area has that takes so much of it on white: the eye sees less of it on black.
+    pub(super) fn wash(self, opacity: f64) -> f64 {
+        match self {
+            Self::Light => opacity,
+            Self::Dark => (1.6 * opacity).min(1.0),
+        }
+    }
+
     fn pick(self, light: u32, dark: u32) -> Rgb {
         Rgb::hex(match self {
             Self::Light => light,

@@ -1,7 +1,7 @@
 //! A scene as a page of PDF.
 
 use super::png::repeated;
-use super::scene::{FINE, Image, Op, Paint, Place, Scene, Shape, Words};
+use super::scene::{FINE, Image, Op, Paint, Pixels, Place, Scene, Shape, Words};
 use super::typeset::{EM, Segment, outline};
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::types::{LineCapStyle, LineJoinStyle};
@@ -53,12 +53,17 @@ impl Scene {
         let drawn = compress_to_vec_zlib(&self.content(height), LEVEL);
         pdf.stream(content, &drawn).filter(Filter::FlateDecode);
         for (image, id) in images {
-            let ((width, height), tones) = repeated(image, 1024);
-            let tones = compress_to_vec_zlib(&tones, LEVEL);
-            let mut object = pdf.image_xobject(id, &tones);
+            let ((width, height), bytes) = repeated(image, 1024);
+            let bytes = compress_to_vec_zlib(&bytes, LEVEL);
+            let mut object = pdf.image_xobject(id, &bytes);
             object.filter(Filter::FlateDecode);
             object.width(width as i32).height(height as i32);
-            object.color_space().indexed(Name(b"DeviceRGB"), 255, image.table.as_flattened());
+            match &image.pixels {
+                Pixels::Toned { table, .. } => {
+                    object.color_space().indexed(Name(b"DeviceRGB"), 255, table.as_flattened());
+                }
+                Pixels::Colored(_) => object.color_space().device_rgb(),
+            }
             object.bits_per_component(8).interpolate(false);
         }
         pdf.finish()

@@ -1,7 +1,7 @@
 //! A scene as pixels.
 
 use super::palette::{Rgb, srgb};
-use super::scene::{FINE, Image, Op, Paint, Place, Scene, Shape, Words};
+use super::scene::{FINE, Image, Op, Paint, Pixels, Place, Scene, Shape, Words};
 use super::typeset::{EM, Segment, outline};
 use tiny_skia::{
     Color, FillRule, LineCap, LineJoin, Mask, PathBuilder, Pixmap, PremultipliedColorU8, Stroke, StrokeDash, Transform,
@@ -136,17 +136,18 @@ impl Easel {
         let across = Span::new(left, right, columns, self.scale, self.pixmap.width());
         let down = Span::new(top, bottom, rows, self.scale, self.pixmap.height());
         let stride = self.pixmap.width() as usize;
-        let light = image.table.map(|rgb| Rgb(rgb).linear());
+        let (colors, of) = image.pixels.colors();
+        let light: Vec<[f64; 3]> = colors.iter().map(|rgb| Rgb(*rgb).linear()).collect();
         let pixels = self.pixmap.pixels_mut();
         for (py, cells_y) in &down.pixels {
             for (px, cells_x) in &across.pixels {
                 let rgb = if let ([(x, _)], [(y, _)]) = (&cells_x[..], &cells_y[..]) {
-                    image.table[usize::from(image.tones[y * columns + x])]
+                    colors[of(y * columns + x)]
                 } else {
                     let mut sum = [0.0; 3];
                     for (y, wy) in cells_y {
                         for (x, wx) in cells_x {
-                            let cell = light[usize::from(image.tones[y * columns + x])];
+                            let cell = light[of(y * columns + x)];
                             sum = std::array::from_fn(|c| sum[c] + wx * wy * cell[c]);
                         }
                     }
@@ -192,15 +193,16 @@ fn paint(paint: Paint) -> tiny_skia::Paint<'static> {
     skia
 }
 
-/// The indices of an image with every cell repeated so that it is at least `least` pixels wide and high: a viewer that
+/// The bytes of an image with every cell repeated so that it is at least `least` pixels wide and high: a viewer that
 /// smooths what it enlarges then has nothing to smooth.
 pub(super) fn repeated(image: &Image, least: usize) -> ((u32, u32), Vec<u8>) {
     let (columns, rows) = image.cells;
     let factor = |n: usize| least.div_ceil(n.max(1)).clamp(1, 64);
     let times = factor(columns).min(factor(rows));
-    let mut out = Vec::with_capacity(columns * rows * times * times);
-    for row in image.tones.chunks_exact(columns.max(1)) {
-        let line: Vec<u8> = row.iter().flat_map(|tone| std::iter::repeat_n(*tone, times)).collect();
+    let mut out = Vec::new();
+    let (bytes, each) = image.pixels.bytes();
+    for row in bytes.chunks_exact((columns * each).max(1)) {
+        let line: Vec<u8> = row.chunks_exact(each).flat_map(|cell| cell.repeat(times)).collect();
         for _ in 0..times {
             out.extend_from_slice(&line);
         }
@@ -210,16 +212,15 @@ pub(super) fn repeated(image: &Image, least: usize) -> ((u32, u32), Vec<u8>) {
 
 /// An image with its cells repeated, as a PNG of its own.
 pub(super) fn enlarged(image: &Image, least: usize) -> Vec<u8> {
-    let (size, tones) = repeated(image, least);
-    let grey = image.table.iter().enumerate().all(|(i, rgb)| *rgb == [i as u8; 3]);
-    let as_is = |filter| {
-        if grey {
-            encoded(size, png::ColorType::Grayscale, None, filter, png::Compression::Balanced, &tones)
-        } else {
-            let table = image.table.as_flattened().to_vec();
-            encoded(size, png::ColorType::Indexed, Some(table), filter, png::Compression::Balanced, &tones)
+    let (size, bytes) = repeated(image, least);
+    let (color, table) = match &image.pixels {
+        Pixels::Colored(_) => (png::ColorType::Rgb, None),
+        Pixels::Toned { table, .. } if table.iter().enumerate().all(|(i, rgb)| *rgb == [i as u8; 3]) => {
+            (png::ColorType::Grayscale, None)
         }
+        Pixels::Toned { table, .. } => (png::ColorType::Indexed, Some(table.as_flattened().to_vec())),
     };
+    let as_is = |filter| encoded(size, color, table.clone(), filter, png::Compression::Balanced, &bytes);
     // Which filter serves depends on the picture: flat cells compress best without, smooth ones with.
     let (plain, filtered) = (as_is(png::Filter::NoFilter), as_is(png::Filter::Adaptive));
     if plain.len() <= filtered.len() { plain } else { filtered }

@@ -109,10 +109,36 @@ pub(super) struct Image {
     pub corners: (Place, Place),
     /// Cells across and down.
     pub cells: (usize, usize),
-    /// Row by row from the top, indices of the table.
-    pub tones: Vec<u8>,
-    pub table: Rc<[[u8; 3]; 256]>,
+    pub pixels: Pixels,
     pub clip: Option<usize>,
+}
+
+/// What cells look like, row by row from the top.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Pixels {
+    /// Indices of a table.
+    Toned { tones: Vec<u8>, table: Rc<[[u8; 3]; 256]> },
+    /// Colours of their own.
+    Colored(Vec<[u8; 3]>),
+}
+
+impl Pixels {
+    /// The cells as bytes, and how many a cell has.
+    pub(super) fn bytes(&self) -> (&[u8], usize) {
+        match self {
+            Self::Toned { tones, .. } => (tones, 1),
+            Self::Colored(colors) => (colors.as_flattened(), 3),
+        }
+    }
+
+    /// The colours there are, and which of them a cell has.
+    pub(super) fn colors(&self) -> (&[[u8; 3]], impl Fn(usize) -> usize) {
+        let (colors, tones) = match self {
+            Self::Toned { tones, table } => (&table[..], Some(tones)),
+            Self::Colored(colors) => (&colors[..], None),
+        };
+        (colors, move |cell| tones.map_or(cell, |tones| usize::from(tones[cell])))
+    }
 }
 
 impl Op {

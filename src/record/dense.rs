@@ -1,14 +1,16 @@
 //! Trigonometric polynomials at many places.
 
 use crate::axis::{Axis, Edge};
+use crate::engine::fft::{Butterflies, RealFft, fast_length};
 use crate::kernel::regularised::Regularised;
 use crate::parallel;
 use crate::reconstruct::reconstruct;
 use crate::sampled::Samples;
-use crate::sampled::plan::{RealPlan, fast_length};
 use crate::signal::Signal;
 use crate::signal::trigonometric::TrigPolynomial;
 use num_complex::Complex;
+
+const NODES: &str = "rooms are as long as their transform";
 
 /// Up to this degree Horner's rule is no slower than the kernel below.
 const FEW: usize = 128;
@@ -49,7 +51,7 @@ impl Dense {
         let mut half = vec![Complex::ZERO; n / 2 + 1];
         half[..=degree].copy_from_slice(polynomial.coefficients());
         let mut values = vec![0.0; n];
-        RealPlan::inverse(n).restore(&half, &mut values, &mut Vec::new());
+        RealFft::with(n, Butterflies::Scalar).and_then(|fft| fft.inverse(&half, &mut values)).expect(NODES);
         // positions as parts of the period: nothing to be checked, and nothing lost far from zero
         let axis = Axis::new(0.0, 1.0 / n as f64, n).expect("a whole number of nodes between zero and one");
         let kernel = Regularised::for_band(RADIUS, 0.5).expect("a radius and a band within their ranges");

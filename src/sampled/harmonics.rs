@@ -1,10 +1,12 @@
 //! The spectrum of weights at the harmonics of a period: the sums that all work with irregular samples consists of.
 
+use crate::engine::fft::{Butterflies, RealFft};
 use crate::error::{Error, Result};
 use crate::num::{cos_pi, sin_pi};
 use crate::parallel;
-use crate::sampled::plan::RealPlan;
 use num_complex::Complex;
+
+const NODES: &str = "rooms are as long as their transform";
 
 /// Where weights stand in a period.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,7 +91,7 @@ fn on_grid(nodes: usize, taken: &[usize], weights: &[f64], order: usize) -> Vec<
     }
     let n = values.len();
     let mut half = vec![Complex::ZERO; n / 2 + 1];
-    RealPlan::forward(n).transform(&values, &mut half, &mut Vec::new());
+    RealFft::with(n, Butterflies::Scalar).and_then(|fft| fft.forward(&values, &mut half)).expect(NODES);
     let at = |m: usize| if m % n <= n / 2 { half[m % n] } else { half[n - m % n].conj() };
     (0..=order).map(at).collect()
 }

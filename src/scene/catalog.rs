@@ -67,8 +67,12 @@ static ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "zone-plate",
-        about: &Text::fixed("all frequencies in all directions", "все частоты во всех направлениях"),
-        make: || Ok(Box::new(Chart::new(ZonePlate::new(1.0 / 512.0)?))),
+        about: &Text::fixed(
+            "all frequencies in all directions: with one regular sample a pixel there are false rings at the sides",
+            "все частоты во всех направлениях: при одном регулярном отсчёте на пиксель по бокам видны ложные кольца",
+        ),
+        // with 320 rows the true rings reach Nyquist at 0.37, and the false ones stand at ±0.74, just inside a picture 3 : 2
+        make: || Ok(Box::new(Chart::new(ZonePlate::new(1.0 / 432.0)?))),
     },
     Entry {
         name: "bricks",
@@ -203,14 +207,17 @@ fn bricks() -> Result<BrickWall> {
     BrickWall::new([0.13, 0.057], 0.009, [1.0, 0.0])
 }
 
-/// Lines of ever smaller letters, black on white.
+/// Lines of ever smaller letters, black on white: of each as many whole words as there is room for.
 fn text() -> Result<impl Field + Send + Sync + 'static> {
+    const WIDE: f64 = 1.36;
     let mut lines = Vec::new();
-    let mut top = -0.46;
+    let mut top = -0.45;
     for height in [0.15, 0.11, 0.08, 0.055, 0.038, 0.026, 0.017, 0.011, 0.007] {
-        let word = "HALF A TILE ";
-        let word = word.repeat((1.2 / (height * word.chars().count() as f64)).ceil() as usize);
-        lines.push((top, height, Glyphs::new(&word, [-0.68, top], height)?));
+        let room = (WIDE / height) as usize;
+        let words = "HALF A TILE ".repeat(room / 12 + 1);
+        let fitting =
+            words.match_indices(' ').map(|(end, _)| end).take_while(|end| *end <= room).last().unwrap_or(room);
+        lines.push((top, height, Glyphs::new(&words[..fitting], [-0.5 * WIDE, top], height)?));
         top += 1.85 * height;
     }
     Ok(from_fn(move |x, y| {

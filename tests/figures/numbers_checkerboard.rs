@@ -142,9 +142,30 @@ fn f56_the_bias_of_the_quotient_is_0_08889_by_k() {
 fn f58_the_numbers_of_three_filters() {
     let figure = figure("f58-filters", &[]);
     assert_eq!(numbers(says(&figure, 0))[..3], [0.2263, 0.0149, 0.0219]);
-    let [.., boxed, gaussian, mitchell] = numbers(says(&figure, 1))[..] else { panic!("three widths") };
+    let [.., boxed, gaussian, mitchell] = numbers(says(&figure, 4))[..] else { panic!("three widths") };
     assert!(gaussian > mitchell && mitchell > boxed);
     near(boxed, 0.8, 1e-9); // of the box an edge is a ramp one pixel wide
-    let told = numbers(says(&figure, 3));
+    let told = numbers(says(&figure, 6));
     assert_eq!(told[1], 3.63);
+}
+
+#[test]
+fn f58_what_the_filters_do_is_seen_in_their_pictures() {
+    let figure = figure("f58-filters", &[]);
+    let shown = |name: &str| pixels(&figure, name, "pixels");
+    let [boxed, gaussian, mitchell] = ["box", "gaussian", "mitchell"].map(shown);
+    // rows 22 to 26 of the detail lie on the plate, right of the post and above the letters: white, but for the halo
+    let part = |image: &Array2<f64>, rows: std::ops::Range<usize>, columns: std::ops::Range<usize>| -> Vec<f64> {
+        rows.flat_map(|j| columns.clone().map(move |i| image[[j, i]])).collect()
+    };
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    let plate = |image: &Array2<f64>| mean(&part(image, 22..26, 11..15));
+    assert!(plate(mitchell) > plate(boxed) && plate(boxed) >= plate(gaussian));
+    // columns 28 on, rows 0 to 16: rings beyond Nyquist, grey where nothing is false
+    let rough = |image: &Array2<f64>| {
+        let rings = part(image, 0..16, 16..24);
+        let grey = mean(&rings);
+        mean(&rings.iter().map(|v| (v - grey) * (v - grey)).collect::<Vec<_>>())
+    };
+    assert!(rough(boxed) > 2.0 * rough(mitchell) && rough(mitchell) > 1.5 * rough(gaussian));
 }

@@ -9,7 +9,7 @@ use nyquist::text::Lang;
 fn peaks(figure: &Figure, panel: &str) -> Vec<[i64; 2]> {
     let Mark::Raster { values, .. } = &layer(figure, panel, "spectrum").mark else { panic!("no spectrum") };
     let reach = (values.ncols() / 2) as i64;
-    let found = values.indexed_iter().filter(|(_, v)| **v > 0.99);
+    let found = values.indexed_iter().filter(|(_, v)| **v > -0.5);
     let mut found: Vec<[i64; 2]> = found.map(|((l, k), _)| [k as i64 - reach, l as i64 - reach]).collect();
     found.sort_unstable();
     found
@@ -30,9 +30,8 @@ fn a_product_of_two_waves_has_four_peaks_of_a_quarter() {
     let figure = figure("f44-waves", &[]);
     assert_eq!(peaks(&figure, "across-spectrum"), [[-8, 0], [8, 0]]);
     assert_eq!(peaks(&figure, "up-spectrum"), [[0, -8], [0, 8]]);
-    assert_eq!(peaks(&figure, "product-spectrum"), [[-8, -8], [-8, 8], [8, -8], [8, 8]]);
-    assert_eq!(peaks(&figure, "slower-spectrum"), [[-4, -8], [-4, 8], [4, -8], [4, 8]]);
-    assert!(figure.claims[3].says.get(Lang::En).ends_with("four peaks at (±4, ±8), N²/4 = 4096"));
+    assert_eq!(peaks(&figure, "product-spectrum"), [[-4, -8], [-4, 8], [4, -8], [4, 8]]);
+    assert!(figure.claims[2].says.get(Lang::En).ends_with("four peaks at (±4, ±8), N²/4 = 4096"));
 }
 
 #[test]

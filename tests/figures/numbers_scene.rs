@@ -5,10 +5,17 @@ use nyquist::figure::{Figure, Mark};
 use nyquist::prelude::*;
 use nyquist::text::Lang;
 
-/// The values of the picture in that panel.
+/// The values of the picture in that panel, of a picture in colours its luminance.
 fn picture(figure: &Figure, panel: &str) -> Vec<f64> {
-    let Mark::Raster { values, .. } = &layer(figure, panel, "picture").mark else { panic!("a picture") };
-    values.iter().copied().collect()
+    match &layer(figure, panel, "pixels").mark {
+        Mark::Raster { values, .. } => values.iter().copied().collect(),
+        Mark::Colors { light, .. } => {
+            let [red, green, blue] = &**light;
+            let pixels = red.iter().zip(green).zip(blue);
+            pixels.map(|((r, g), b)| 0.2126 * r + 0.7152 * g + 0.0722 * b).collect()
+        }
+        _ => panic!("no picture in {panel}"),
+    }
 }
 
 fn mean_square(a: &[f64], b: &[f64]) -> f64 {

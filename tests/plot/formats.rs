@@ -1,8 +1,8 @@
 //! One scene, three formats: deterministic, well formed, cut at the frame, pixel-exact.
 
-use crate::samples::{Pixels, all, bare};
+use crate::samples::{Pixels, all, bare, colors};
 use ndarray::Array2;
-use nyquist::figure::{Figure, Layer, Meaning, Panel, Scale, Tones};
+use nyquist::figure::{Bar, Figure, Layer, Meaning, Panel, Scale, Tones};
 use nyquist::plot::{Format, Style, Theme, animated, draw};
 use nyquist::text::{Lang, Text};
 use std::sync::OnceLock;
@@ -213,9 +213,11 @@ fn anything_can_be_drawn() {
                 Layer::notes("k", Meaning::Signal, points.iter().map(|p| (*p, Text::same("}{")))),
                 Layer::raster("l", range, range, Array2::from_elem((2, 3), f64::NAN), range, Tones::Data),
                 Layer::raster("m", range, range, Array2::zeros((0, 0)), range, Tones::Grey),
+                Layer::colors("n", range, range, &colors([[f64::MAX, -1.0, 0.5], [0.0, 0.0, 0.0]])),
             ] {
                 panel = panel.with(layer);
             }
+            panel = panel.bar(if log { Bar::powers_of_ten(Text::same("}")) } else { Bar::values(Text::EMPTY) });
             let scene = draw(
                 &Text::EMPTY,
                 &Text::EMPTY,

@@ -3,5 +3,6 @@
 
 mod colours;
 mod formats;
+mod pictures;
 mod samples;
 mod text;

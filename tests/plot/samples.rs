@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "each test program uses a part of the samples")]
 
 use ndarray::Array2;
-use nyquist::figure::{Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
+use nyquist::figure::{Bar, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use nyquist::num::sinc;
 use nyquist::plot::{Rgb, Scene};
 use nyquist::text::Text;
@@ -49,6 +49,14 @@ pub(crate) fn all() -> Vec<(&'static str, Text, Figure)> {
         ("mixed", t("Everything at once", "Всё сразу"), mixed()),
         ("bare", t("Nothing", "Ничего"), bare()),
     ]
+}
+
+/// Pixels beside each other.
+pub(crate) fn colors<const N: usize>(light: [[f64; 3]; N]) -> nyquist::image::Rgb {
+    let grid = nyquist::grid::Grid::pixels(N, 1).expect("there are pixels");
+    let plane =
+        |c: usize| nyquist::image::Image::new(grid, light.iter().map(|rgb| rgb[c]).collect()).expect("they are finite");
+    nyquist::image::Rgb::new([plane(0), plane(1), plane(2)]).expect("on the same grid")
 }
 
 pub(crate) fn bare() -> Figure {
@@ -120,7 +128,8 @@ fn rasters() -> Figure {
     let data = Panel::new("data", t("The same as data", "Она же как данные"), px(), px().bare())
         .square()
         .with(Layer::raster("z", whole, whole, zone, (0.0, 1.0), Tones::Data).label(t("value", "значение")))
-        .with(Layer::pointers("p", Meaning::Samples, [[[64.0, 64.0], [120.0, 64.0]]]));
+        .with(Layer::pointers("p", Meaning::Samples, [[[64.0, 64.0], [120.0, 64.0]]]))
+        .bar(Bar::values(t("brightness", "яркость")));
     Figure::new(2).with(grey).with(data)
 }
 

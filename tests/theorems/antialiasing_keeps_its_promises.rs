@@ -87,6 +87,20 @@ fn adaptive_sampling_stays_within_its_budget_and_spends_it_on_edges() {
 }
 
 #[test]
+fn adaptive_pictures_are_the_same_for_any_number_of_threads() {
+    let (disc, grid) = (Disc::new([15.3, 16.4], 11.7).unwrap(), Grid::pixels(33, 31).unwrap());
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        // once to the contrast, once until the budget ends in the middle of cells that are divided together
+        let budgets = [(1e-3, 1e4), (0.0, 17.3)].map(|(contrast, per_pixel)| Budget { contrast, per_pixel });
+        pool.install(|| budgets.map(|budget| adaptive(&disc, grid, budget, 5).unwrap()))
+    };
+    let [resolved, spent] = with(1);
+    assert!(!resolved.exhausted && spent.exhausted && spent.taken as f64 > 17.3 * 33.0 * 31.0 - 12.0);
+    assert_eq!([resolved, spent], with(3));
+}
+
+#[test]
 fn what_lies_between_the_first_samples_is_never_found() {
     // a dot a fiftieth of a pixel wide: no seed of ten comes upon it, whatever the budget
     let (dot, grid) = (Disc::new([4.3, 4.6], 0.01).unwrap(), Grid::pixels(8, 8).unwrap());

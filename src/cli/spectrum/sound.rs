@@ -5,6 +5,7 @@ use crate::cli::sound::{note_oddities, open, pump};
 use crate::cli::source::Source;
 use crate::cli::spectrum::{Args, Computed};
 use crate::cli::working::note;
+use nyquist::door::table::Heading;
 use nyquist::figure::report::Quantity;
 use nyquist::figure::report::sound::spectrum::{room, spectra, spectrograms, units, value_and_level};
 use nyquist::inspect::sound::dbfs;
@@ -100,8 +101,9 @@ pub(super) fn spectrum(source: Source, args: &Args) -> Result<Computed, Failure>
 
 fn averaged(name: &str, frames: u64, quantity: Quantity, log: bool, found: &[PowerSpectrum]) -> Computed {
     let [unit, level] = units(quantity);
-    let columns = (1..=found.len()).flat_map(|i| [unit, level].map(|unit| format!("channel {i} [{unit}]")));
-    let columns = std::iter::once("frequency [Hz]".to_owned()).chain(columns).collect();
+    let columns = (1..=found.len())
+        .flat_map(|i| [unit, level].map(|unit| Heading { name: format!("channel {i}"), unit: unit.to_owned() }));
+    let columns = std::iter::once(Heading::read("frequency [Hz]")).chain(columns).collect();
     let first = &found[0];
     let row = |k: usize| {
         let values = found.iter().flat_map(|spectrum| value_and_level(spectrum, quantity, k));
@@ -132,8 +134,9 @@ fn over_time(name: &str, rate: f64, segments: Segments, found: &[Spectrogram]) -
     let middle = |[from, to]: [f64; 2]| 0.5 * (from + to);
     let (bands, times) = found[0].density().dim();
     let frequencies: Vec<f64> = (0..bands).map(|i| middle(found[0].frequencies(i))).collect();
-    let names = frequencies.iter().map(|frequency| format!("{frequency} Hz [dBFS/Hz]"));
-    let columns = ["time [s]".to_owned(), "channel".to_owned()].into_iter().chain(names).collect();
+    let names =
+        frequencies.iter().map(|frequency| Heading { name: format!("{frequency} Hz"), unit: "dBFS/Hz".to_owned() });
+    let columns = ["time [s]", "channel"].map(Heading::read).into_iter().chain(names).collect();
     let row = |time: usize, channel: usize| -> Vec<f64> {
         let levels = (0..bands).map(|i| dbfs(found[channel].density()[[i, time]]));
         [middle(found[0].time(time)), (channel + 1) as f64].into_iter().chain(levels).collect()

@@ -1,16 +1,13 @@
 //! What filters do to a picture: the same samples, weighed differently (slide «Примеры работы фильтров»).
 
-use crate::antialias::supersample::{pixel_seed, supersample};
+use crate::antialias::supersample::supersample;
 use crate::error::Result;
-use crate::field::Field;
-use crate::field::bricks::BrickWall;
-use crate::field::glyphs::Glyphs;
 use crate::field::half_plane::HalfPlane;
-use crate::field::zone_plate::ZonePlate;
-use crate::figure::common::{frequency, unmarked, values};
+use crate::figure::common::{frequency, values};
+use crate::figure::film::trial::{Found, RANGE, developed, one_set};
 use crate::figure::params::{Param, Params};
-use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Tones};
-use crate::film::{Film, Sample};
+use crate::figure::picture::{frame, part, picture};
+use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel};
 use crate::grid::Grid;
 use crate::image::Image;
 use crate::kernel::Kernel;
@@ -18,13 +15,11 @@ use crate::kernel::catalog::by_name;
 use crate::kernel::metrics::Metrics;
 use crate::laws::metrics::{TABLE, agrees};
 use crate::num::quadrature::{even_breaks, integrate_pieces};
-use crate::pattern::Pattern;
-use crate::pattern::jittered::Jittered;
 use crate::pattern::regular::Regular;
 use crate::residual::Residual;
 use crate::text;
-use crate::text::{Text, number};
-use ndarray::Array2;
+use crate::text::{Lang, Text, number};
+use std::ops::Range;
 
 /// The figures of this family.
 pub static ENTRIES: &[Entry] = &[FILTERS, CROPS];
@@ -68,71 +63,13 @@ const CROPS: Entry = Entry {
     build: |params| crops(params),
 };
 
-const SIDE: usize = 96;
-/// The part that is shown enlarged.
-const DETAIL: [std::ops::Range<usize>; 2] = [34..74, 30..70];
+/// The part of three pictures that is shown enlarged, and that of eight: columns and rows.
+const DETAIL: [Range<usize>; 2] = [34..82, 30..70];
+const SQUARE: [Range<usize>; 2] = [34..76, 29..71];
 
-/// A wall of bricks on the left, rings that grow too fine on the right, letters below them.
-struct Scene {
-    wall: BrickWall,
-    rings: ZonePlate,
-    letters: Glyphs,
-}
-
-/// Brightness of the brightest and the darkest parts.
-const RANGE: [f64; 2] = [0.06, 0.92];
-
-impl Scene {
-    fn new() -> Result<Self> {
-        Ok(Self {
-            wall: BrickWall::new([13.7, 6.3], 1.1, [0.38, RANGE[1]])?,
-            rings: ZonePlate::new(95.0)?,
-            letters: Glyphs::new("ШAV", [51.0, 56.0], 14.3)?,
-        })
-    }
-}
-
-impl Field for Scene {
-    fn at(&self, x: f64, y: f64) -> f64 {
-        let [dark, bright] = RANGE;
-        if x < 46.3 {
-            self.wall.at(x, y + 0.04 * x)
-        } else if y < 50.7 {
-            dark + (bright - dark) * self.rings.at(x - 96.0, y)
-        } else {
-            bright - (bright - dark) * self.letters.at(x, y)
-        }
-    }
-}
-
-/// One set of samples for all filters, as far beyond the frame as the widest of them reaches.
-fn one_set(n: usize, seed: u64) -> Result<Vec<Sample<1>>> {
-    const REACH: i64 = 4;
-    let (scene, pattern) = (Scene::new()?, Jittered::new([n, n])?);
-    let side = -REACH..SIDE as i64 + REACH;
-    let pixels = side.clone().flat_map(|j| side.clone().map(move |i| (i, j)));
-    let of = |(i, j): (i64, i64)| {
-        let points = pattern.points(pixel_seed(seed, i, j)).into_iter();
-        points.map(move |[u, v]| [i as f64 + u, j as f64 + v])
-    };
-    Ok(pixels.flat_map(of).map(|at| Sample { at, light: [scene.at(at[0], at[1])] }).collect())
-}
-
-fn developed(kernel: &dyn Kernel, samples: &[Sample<1>]) -> Result<Image> {
-    Ok(Film::new(Grid::pixels(SIDE, SIDE)?, kernel)?.develop(samples)?.image().clone())
-}
-
-fn view(name: &'static str, title: Text, image: &Image, [columns, rows]: [std::ops::Range<usize>; 2]) -> Panel {
-    let part = Array2::from_shape_fn((rows.len(), columns.len()), |(j, i)| image.at(columns.start + i, rows.start + j));
-    let [x, y] = [columns, rows].map(|r| (r.start as f64, r.end as f64));
-    Panel::new(name, title, unmarked(x.0, x.1), unmarked(y.1, y.0)).square().with(Layer::raster(
-        "pixels",
-        x,
-        y,
-        part,
-        (0.0, 1.0),
-        Tones::Grey,
-    ))
+/// A part of a picture enlarged.
+fn detail(name: &'static str, title: Text, image: &Image, [columns, rows]: [Range<usize>; 2]) -> Result<Panel> {
+    Ok(picture(name, title, &part(image, columns, rows)?))
 }
 
 /// An edge at zero behind the filter: `∫_{−∞}^x k/∫k`.
@@ -208,19 +145,23 @@ fn filters(params: &Params) -> Result<Figure> {
         profile = profile.with(Layer::dots(name, Meaning::Series(i), points.iter().copied()));
     }
 
-    let mut figure = Figure::new(4);
+    let [x, y] = DETAIL.map(|range| [range.start as f64, range.end as f64]);
+    let mut figure = Figure::new(3).heights([1.32, 1.0]);
     for (i, (image, name)) in images.iter().zip(names).enumerate() {
-        let [x, y] = DETAIL.map(|r| [r.start as f64, r.end as f64]);
-        let frame = [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]], [x[0], y[0]]];
-        let whole = view(name, shown[i].clone(), image, [0..SIDE, 0..SIDE]);
-        figure = figure.with(whole.with(Layer::line("detail", Meaning::Error, frame)));
+        let [en, ru] = Lang::ALL.map(|lang| shown[i].get(lang).to_owned());
+        let p = number(metrics[i].postaliasing, 3);
+        figure = figure.with(detail(name, text!("{en}: P = {}", "{ru}: P = {}", p), image, DETAIL)?);
     }
-    figure = figure.with(profile);
-    for (i, (image, name)) in images.iter().zip(["box-detail", "gaussian-detail", "mitchell-detail"]).enumerate() {
-        let title = text!("P = {}", "P = {}", number(metrics[i].postaliasing, 3));
-        figure = figure.with(view(name, title, image, DETAIL));
-    }
-    figure = figure.with(response);
+    let figure = figure
+        .with(picture("whole", text!("all of it, box", "целиком, box"), &images[0]).with(frame(
+            "detail",
+            Meaning::Error,
+            x,
+            y,
+        )))
+        .with(profile)
+        .with(response);
+    let [of_box, of_gaussian, of_mitchell] = [0, 1, 2].map(|i| Found::of(&images[i]));
 
     let rows = kernels.iter().zip(["box", "gaussian-pbrt2", "mitchell"]);
     let rows =
@@ -244,6 +185,47 @@ fn filters(params: &Params) -> Result<Figure> {
                 number(metrics[2].postaliasing, 3)
             ),
             Residual::at_most("the metrics, in half units of the table's last digit", worst, 1.0),
+        )
+        .claim(
+            text!(
+                "in the pictures the post's side is as blurred as a ramp of {} (box), {} (Mitchell), {} pixels (Gaussian)",
+                "на картинках край столба размыт, как скат шириной {} (box), {} (Митчелл), {} пикселя (гауссиан)",
+                number(of_box.ramp, 2),
+                number(of_mitchell.ramp, 2),
+                number(of_gaussian.ramp, 3)
+            ),
+            Residual::at_least(
+                "ramp of the Gaussian / the wider of the others",
+                of_gaussian.ramp / of_mitchell.ramp.max(of_box.ramp),
+                1.0,
+            ),
+        )
+        .claim(
+            text!(
+                "beyond Nyquist they keep {} (box), {} (Mitchell), {} (Gaussian) of the rings' power: all of it false",
+                "за Найквистом от мощности колец остаётся {} (box), {} (Митчелл), {} (гауссиан) — и вся она ложная",
+                number(of_box.alias, 2),
+                number(of_mitchell.alias, 2),
+                number(of_gaussian.alias, 2)
+            ),
+            Residual::at_least(
+                "false power: the lesser of box/Mitchell and Mitchell/Gaussian",
+                (of_box.alias / of_mitchell.alias).min(of_mitchell.alias / of_gaussian.alias),
+                1.0,
+            ),
+        )
+        .claim(
+            text!(
+                "beside the post Mitchell's plate is brighter than white by {} % of the step; box and Gaussian do not overshoot",
+                "рядом со столбом табличка у Митчелла светлее белого на {} % перепада; box и гауссиан выброса не дают",
+                number(100.0 * of_mitchell.halo, 1)
+            ),
+            Residual::at_least(
+                "Mitchell's halo over what box and Gaussian have",
+                of_mitchell.halo,
+                // means of samples that are nowhere brighter than the plate, each to rounding
+                of_box.halo.max(of_gaussian.halo).max(64.0 * f64::EPSILON),
+            ),
         )
         .claim(
             text!(
@@ -271,15 +253,6 @@ fn filters(params: &Params) -> Result<Figure> {
             ),
             // with one sample it is the depth of the negative lobe, with many its area: one lobe is less than a pixel wide
             Residual::at_most("overshoot with many samples / with one", halo(&*kernels[2]) / metrics[2].overshoot, 1.0),
-        )
-        .claim(
-            text!("box and Gaussian do not overshoot", "box и гауссиан не дают выброса"),
-            // sums of nonnegative numbers to rounding, and integrals of them, a dozen pieces to 1e-14 each
-            Residual::at_most(
-                "overshoot of filters without negative weights",
-                halo(&*kernels[0]).max(halo(&*kernels[1])).max(metrics[0].overshoot).max(metrics[1].overshoot),
-                1e-12,
-            ),
         ))
 }
 
@@ -301,7 +274,7 @@ fn crops(params: &Params) -> Result<Figure> {
     for (name, title) in FILTERS {
         let kernel = by_name(name)?;
         let image = developed(&*kernel, &samples)?;
-        figure = figure.with(view(name, title, &image, DETAIL));
+        figure = figure.with(detail(name, title, &image, SQUARE)?);
         let beyond = image.values().iter().map(|v| (v - RANGE[1]).max(RANGE[0] - v)).fold(f64::NEG_INFINITY, f64::max);
         if kernel.claims().nonnegative {
             calm = calm.max(beyond);

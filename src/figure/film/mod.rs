@@ -4,6 +4,7 @@ pub mod choice;
 pub mod examples;
 pub mod plane;
 pub mod stages;
+mod trial;
 pub mod weights;
 pub mod window;
 

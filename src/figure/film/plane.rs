@@ -3,9 +3,9 @@
 use crate::axis::Axis;
 use crate::error::Result;
 use crate::field::from_fn;
-use crate::figure::common::unmarked;
 use crate::figure::params::{Param, Params};
-use crate::figure::{Entry, Figure, Layer, Panel, Tones};
+use crate::figure::picture::picture;
+use crate::figure::{Entry, Figure, Panel};
 use crate::grid::Grid;
 use crate::image::Image;
 use crate::kernel::Kernel;
@@ -46,21 +46,22 @@ const PLANE: Entry = Entry {
     build: |params| plane(params),
 };
 
-const PIXELS: usize = 12;
+/// Pixels across and down.
+const PIXELS: [usize; 2] = [24, 12];
 /// Samples go on for so many pixels beyond the frame: as far as both filters reach.
 const MARGIN: f64 = 4.0;
 /// How many points a pixel is drawn with.
-const FINE: usize = 10;
+const FINE: usize = 7;
 
 /// A tilted edge, and rings beside it.
 fn scene(x: f64, y: f64) -> f64 {
-    let [u, v] = [x - 8.2, y - 7.1];
-    if x + 0.37 * y < 5.3 { 0.9 } else { 0.45 + 0.4 * cos_pi(0.11 * (u * u + v * v)) }
+    let [u, v] = [x - 14.2, y - 7.1];
+    if x + 0.37 * y < 8.3 { 0.9 } else { 0.45 + 0.4 * cos_pi(0.11 * (u * u + v * v)) }
 }
 
-/// `Σ_ij across[·][i]·down[·][j]·s_ij`: a separable sum over the samples, at the crossings of rows and columns.
-fn spread(samples: &Image, weights: &Array2<f64>) -> Array2<f64> {
-    weights.dot(samples.pixels()).dot(&weights.t())
+/// `Σ_ij down[·][j]·across[·][i]·s_ij`: a separable sum over values, at the crossings of rows and columns.
+fn spread(values: &Array2<f64>, [across, down]: &[Array2<f64>; 2]) -> Array2<f64> {
+    down.dot(values).dot(&across.t())
 }
 
 /// The nodes and weights of Gauss's rule with four points in every piece of length `piece`: exact for the products of two
@@ -79,22 +80,35 @@ fn nodes(low: f64, high: f64, piece: f64) -> Vec<[f64; 2]> {
 fn plane(params: &Params) -> Result<Figure> {
     let n = params.count("n");
     let (r, p) = (by_name(params.choice("r"))?, by_name(params.choice("p"))?);
-    let (length, step) = (PIXELS as f64, 1.0 / n as f64);
-    let along = Axis::cells(-MARGIN..length + MARGIN, (PIXELS + 2 * MARGIN as usize) * n)?;
-    let samples = Image::of(&from_fn(scene), Grid::new(along, along)?);
-    let table = |places: &[f64], value: &dyn Fn(f64, f64) -> f64| {
-        Array2::from_shape_fn((places.len(), along.len()), |(q, i)| value(places[q], along.at(i as i64)))
+    let (lengths, step) = (PIXELS.map(|n| n as f64), 1.0 / n as f64);
+    let along = |axis: usize| {
+        let margin = 2 * MARGIN as usize;
+        Axis::cells(-MARGIN..lengths[axis] + MARGIN, (PIXELS[axis] + margin) * n)
+    };
+    let axes = [along(0)?, along(1)?];
+    let samples = Image::of(&from_fn(scene), Grid::new(axes[0], axes[1])?);
+    // one filter's values at places, from every sample, along each axis
+    let tables = |places: [&[f64]; 2], value: &dyn Fn(f64, f64) -> f64| {
+        [0, 1].map(|axis| {
+            let (places, along) = (places[axis], axes[axis]);
+            Array2::from_shape_fn((places.len(), along.len()), |(q, i)| value(places[q], along.at(i as i64)))
+        })
     };
     let first = |x: f64, at: f64| r.at((x - at) / step);
 
     // stage by stage: the reconstructed picture at the nodes of a quadrature, each kink of both filters between two of them
     let reach = p.radius();
-    let rule = nodes(-reach, length + reach, 0.5 * step);
-    let places: Vec<f64> = rule.iter().map(|q| q[0]).collect();
-    let rebuilt = spread(&samples, &table(&places, &first));
-    let centres: Vec<f64> = Axis::cells(0.0..length, PIXELS)?.iter().collect();
-    let second = Array2::from_shape_fn((PIXELS, rule.len()), |(k, q)| rule[q][1] * p.at(centres[k] - rule[q][0]));
-    let staged = second.dot(&rebuilt).dot(&second.t());
+    let rules = lengths.map(|length| nodes(-reach, length + reach, 0.5 * step));
+    let places = rules.each_ref().map(|rule| rule.iter().map(|q| q[0]).collect::<Vec<f64>>());
+    let rebuilt = spread(samples.pixels(), &tables([&places[0], &places[1]], &first));
+    let [centres, fine] = [1, FINE].map(|parts| {
+        [0, 1].map(|axis| (0..PIXELS[axis] * parts).map(|k| (k as f64 + 0.5) / parts as f64).collect::<Vec<f64>>())
+    });
+    let second = [0, 1].map(|axis| {
+        let (rule, centres) = (&rules[axis], &centres[axis]);
+        Array2::from_shape_fn((centres.len(), rule.len()), |(k, q)| rule[q][1] * p.at(centres[k] - rule[q][0]))
+    });
+    let staged = spread(&rebuilt, &second);
 
     // at once
     let breaks = |kernel: &dyn Kernel, step: f64| {
@@ -104,41 +118,36 @@ fn plane(params: &Params) -> Result<Figure> {
     let narrow = signal_from_fn(|x| r.at(x / step) / step);
     let both = Convolution::new(&*p, &breaks(&*p, 1.0), &narrow, &breaks(&*r, step))?;
     let once = |x: f64, at: f64| step * both.at(x - at);
-    let pixels = spread(&samples, &table(&centres, &once));
+    let of_pixels = tables([&centres[0], &centres[1]], &once);
+    let pixels = spread(samples.pixels(), &of_pixels);
 
-    let fine: Vec<f64> = Axis::cells(0.0..length, PIXELS * FINE)?.iter().collect();
-    let shown: Vec<f64> = along.iter().filter(|x| (0.0..length).contains(x)).collect();
-    let seen = Image::of(
-        &from_fn(scene),
-        Grid::new(Axis::cells(0.0..length, shown.len())?, Axis::cells(0.0..length, shown.len())?)?,
-    );
-    let view = |name, title, values: Array2<f64>| {
-        let side = (0.0, length);
-        Panel::new(name, title, unmarked(0.0, length), unmarked(length, 0.0)).square().with(Layer::raster(
-            "values",
-            side,
-            side,
-            values,
-            (0.0, 1.0),
-            Tones::Grey,
-        ))
+    let in_frame = |parts: usize| {
+        let [nx, ny] = PIXELS.map(|pixels| pixels * parts);
+        Grid::cells(0.0..lengths[0], nx, 0.0..lengths[1], ny)
     };
+    let view = |name, title, parts: usize, values: Array2<f64>| -> Result<Panel> {
+        Ok(picture(name, title, &Image::trusted(in_frame(parts)?, values)))
+    };
+    let seen = Image::of(&from_fn(scene), in_frame(n)?);
+    let on_fine = |value: &dyn Fn(f64, f64) -> f64| spread(samples.pixels(), &tables([&fine[0], &fine[1]], value));
     let apart = |a: &Array2<f64>, b: &Array2<f64>| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    let ones = Image::new(samples.grid(), vec![1.0; samples.grid().len()])?;
-    let defect = spread(&ones, &table(&centres, &once)).iter().map(|v| (v - 1.0).abs()).fold(0.0, f64::max);
+    let ones = Array2::ones(samples.pixels().dim());
+    let defect = spread(&ones, &of_pixels).iter().map(|v| (v - 1.0).abs()).fold(0.0, f64::max);
     // the rounding of sums over all nodes of both axes, of which the amounts of the weights add up to less than two; the
     // convolution is a quadrature to 1e-14
-    let rounding = 4.0 * (f64::EPSILON * (rule.len() + along.len()) as f64 + 1e-14);
-    Ok(Figure::new(4)
-        .with(view("samples", text!("samples", "отсчёты"), seen.pixels().clone()))
-        .with(view("first", text!("1. reconstructed", "1. построено"), spread(&samples, &table(&fine, &first))))
-        .with(view("second", text!("2. low-passed", "2. сглажено"), spread(&samples, &table(&fine, &once))))
-        .with(view("third", text!("3. pixels", "3. пиксели"), staged.clone()))
+    let terms: usize = (0..2).map(|axis| rules[axis].len() + axes[axis].len()).sum();
+    let rounding = 2.0 * (f64::EPSILON * terms as f64 + 2e-14);
+    Ok(Figure::new(2)
+        .with(view("samples", text!("samples", "отсчёты"), n, seen.pixels().clone())?)
+        .with(view("first", text!("1. reconstructed", "1. построено"), FINE, on_fine(&first))?)
+        .with(view("second", text!("2. low-passed", "2. сглажено"), FINE, on_fine(&once))?)
+        .with(view("third", text!("3. pixels", "3. пиксели"), 1, staged.clone())?)
         .claim(
             text!(
-                "one filter gives the same {0} × {0} pixels as all three stages",
-                "один фильтр даёт те же {0} × {0} пикселей, что и три этапа",
-                PIXELS
+                "one filter gives the same {} × {} pixels as all three stages",
+                "один фильтр даёт те же {} × {} пикселей, что и три этапа",
+                PIXELS[0],
+                PIXELS[1]
             ),
             Residual::at_most("(S ⊗ r) ⊗ p = S ⊗ (r ⊗ p) in the plane", apart(&staged, &pixels), rounding),
         )

@@ -4,7 +4,8 @@ use crate::antialias::supersample::pixel_seed;
 use crate::error::Result;
 use crate::figure::common::unmarked;
 use crate::figure::params::{Param, Params};
-use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
+use crate::figure::picture::{frame, tones};
+use crate::figure::{Bar, Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use crate::film::{Film, Sample};
 use crate::grid::Grid;
 use crate::image::Image;
@@ -79,10 +80,6 @@ fn pixel_lines(panel: Panel, width: usize, height: usize) -> Panel {
         .with(Layer::horizontals("rows", Meaning::Guide, lines(height)).thin())
 }
 
-pub(super) fn rectangle(x: [f64; 2], y: [f64; 2]) -> [[f64; 2]; 5] {
-    [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]], [x[0], y[0]]]
-}
-
 /// How many samples a pixel's sum has at most, and how far the amounts of its weights can exceed their sum: for the
 /// bounds of rounding.
 pub(super) fn terms(kernel: &dyn Kernel, n: usize) -> f64 {
@@ -121,7 +118,7 @@ fn weights(params: &Params) -> Result<Figure> {
         .with(Layer::line("outside", Meaning::Guide, sized(8, &|w| w == 0.0)).thin())
         .with(Layer::line("positive", Meaning::Samples, sized(16, &|w| w > 0.0)))
         .with(Layer::line("negative", Meaning::Leaked, sized(4, &|w| w < 0.0)))
-        .with(Layer::line("extent", Meaning::Kernel, rectangle([x0, x1], [y0, y1])).thick())
+        .with(frame("extent", Meaning::Kernel, [x0, x1], [y0, y1]).thick())
         .with(Layer::dots("pixel", Meaning::Signal, [middle]));
 
     let filter = {
@@ -131,21 +128,8 @@ fn weights(params: &Params) -> Result<Figure> {
         let values: Vec<f64> = grid.iter().map(|[x, y]| film.weight(x, y)).collect();
         let (low, top) = values.iter().fold((0.0f64, 0.0f64), |(l, t), &v| (l.min(v), t.max(v)));
         let image = Image::new(grid, values)?;
-        Panel::new(
-            "filter",
-            text!("filter f(x, y)", "фильтр f(x, y)"),
-            unmarked(-reach, reach),
-            unmarked(-reach, reach),
-        )
-        .square()
-        .with(Layer::raster(
-            "f",
-            (-reach, reach),
-            (-reach, reach),
-            image.pixels().clone(),
-            (low, top),
-            Tones::Data,
-        ))
+        let title = text!("filter f(x, y)", "фильтр f(x, y)");
+        tones("filter", title, &image, (low, top), Tones::Data).bar(Bar::values(Text::EMPTY))
     };
 
     // a constant, on a larger film
@@ -156,15 +140,8 @@ fn weights(params: &Params) -> Result<Figure> {
     let flat = large.develop(&samples(all.clone(), all, 2, seed, |_, _| CONSTANT)?)?;
     let relative = flat.weights().map(|w| w / 4.0);
     let uneven = relative.values().iter().fold(0.0, |most: f64, w| most.max((w - 1.0).abs()));
-    let whole = (0.0, SIDE as f64);
-    let sums = Panel::new(
-        "sums",
-        text!("Σf, pixel by pixel", "Σf в каждом пикселе"),
-        unmarked(0.0, whole.1),
-        unmarked(whole.1, 0.0),
-    )
-    .square()
-    .with(Layer::raster("sums", whole, whole, relative.pixels().clone(), (0.5, 1.5), Tones::Data));
+    let title = text!("Σf over its mean, pixel by pixel", "Σf, делённая на среднее, по пикселям");
+    let sums = tones("sums", title, &relative, (0.5, 1.5), Tones::Data).bar(Bar::values(Text::EMPTY));
 
     // the bias of a quotient of sums
     const TRIALS: u32 = 8000;

@@ -1,10 +1,10 @@
 //! A part of the film, and the samples that it needs.
 
 use crate::error::Result;
-use crate::figure::common::unmarked;
-use crate::figure::film::weights::{KERNEL, KERNELS, SEED, rectangle, samples, terms};
+use crate::figure::film::weights::{KERNEL, KERNELS, SEED, samples, terms};
 use crate::figure::params::{Param, Params};
-use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Tones};
+use crate::figure::picture::{frame, part, picture, tones};
+use crate::figure::{Bar, Entry, Figure, Legend, Meaning, Tones};
 use crate::film::Film;
 use crate::grid::Grid;
 use crate::image::Image;
@@ -14,6 +14,7 @@ use crate::num::cos_pi;
 use crate::residual::Residual;
 use crate::text;
 use crate::text::{Text, number};
+use std::ops::Range;
 
 /// The figures of this family.
 pub static ENTRIES: &[Entry] = &[WINDOW];
@@ -44,21 +45,16 @@ fn window(params: &Params) -> Result<Figure> {
     let reach = film.reach() as i64;
     let whole = film.develop(&samples(-reach..width as i64 + reach, -reach..height as i64 + reach, 2, seed, light)?)?;
     let size = [columns.end - columns.start, rows.end - rows.start].map(|n| n as usize);
-    let part =
+    let grid =
         Grid::cells(columns.start as f64..columns.end as f64, size[0], rows.start as f64..rows.end as f64, size[1])?;
-    let small = Film::new(part, &*kernel)?;
+    let small = Film::new(grid, &*kernel)?;
     let developed = |margin: i64| {
         let columns = columns.start - margin..columns.end + margin;
         small.develop(&samples(columns, rows.start - margin..rows.end + margin, 2, seed, light)?)
     };
     let (with, without) = (developed(reach)?, developed(0)?);
-    let same = Image::new(
-        part,
-        (rows.clone())
-            .flat_map(|j| columns.clone().map(move |i| (i, j)))
-            .map(|(i, j)| whole.image().at(i as usize, j as usize))
-            .collect(),
-    )?;
+    let counted = |range: &Range<i64>| range.start as usize..range.end as usize;
+    let same = part(whole.image(), counted(&columns), counted(&rows))?;
     let apart =
         |image: &Image| image.values().iter().zip(same.values()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let seam = without.image().with(&same, |a, b| a - b)?;
@@ -68,54 +64,34 @@ fn window(params: &Params) -> Result<Figure> {
     let radius = kernel.radius();
     // the filter stands on the centres of pixels
     let footprint = radius - 0.5;
-    let picture = Panel::new(
-        "film",
-        text!("film, window, margin", "плёнка, окно, запас"),
-        unmarked(0.0, width as f64),
-        unmarked(height as f64, 0.0),
-    )
-    .square()
-    .legend(Legend::Above)
-    .with(Layer::raster(
-        "pixels",
-        (0.0, width as f64),
-        (0.0, height as f64),
-        whole.image().pixels().clone(),
-        (0.0, 1.0),
-        Tones::Grey,
-    ))
-    .with(Layer::line("window", Meaning::Samples, rectangle(x, y)).thick().label(text!("window", "окно")))
-    .with(
-        Layer::line("margin", Meaning::Error, rectangle(margin(x, footprint), margin(y, footprint)))
-            .thick()
-            .dashed()
-            .label(text!("its samples", "его отсчёты")),
-    );
-    let view = |name, title, image: &Image, (low, high): (f64, f64), tones| {
-        Panel::new(name, title, unmarked(x[0], x[1]), unmarked(y[1], y[0])).square().with(Layer::raster(
-            "pixels",
-            (x[0], x[1]),
-            (y[0], y[1]),
-            image.pixels().clone(),
-            (low, high),
-            tones,
-        ))
-    };
-    let grey = (0.0, 1.0);
+    let all = picture("film", text!("film, window, margin", "плёнка, окно, запас"), whole.image());
+    let all = all
+        .legend(Legend::Above)
+        .with(frame("window", Meaning::Samples, x, y).thick().label(text!("window", "окно")))
+        .with(
+            frame("margin", Meaning::Error, margin(x, footprint), margin(y, footprint))
+                .thick()
+                .dashed()
+                .label(text!("its samples", "его отсчёты")),
+        );
     let rounding = 2.0 * f64::EPSILON * terms(&*kernel, 2);
     let worst = apart(without.image());
     let inner = footprint <= 0.0;
     Ok(Figure::new(2)
-        .with(picture)
-        .with(view("with", text!("with the margin", "с запасом"), with.image(), grey, Tones::Grey))
-        .with(view("without", text!("without it", "без запаса"), without.image(), grey, Tones::Grey))
-        .with(view(
-            "seam",
-            text!("what is wrong without it", "ошибка без запаса"),
-            &seam.map(f64::abs),
-            (0.0, 0.1),
-            Tones::Data,
-        ))
+        .heights([1.13, 1.0])
+        .with(all)
+        .with(picture("with", text!("with the margin", "с запасом"), with.image()))
+        .with(picture("without", text!("without it", "без запаса"), without.image()))
+        .with(
+            tones(
+                "seam",
+                text!("what is wrong without it", "ошибка без запаса"),
+                &seam.map(f64::abs),
+                (0.0, 0.1),
+                Tones::Data,
+            )
+            .bar(Bar::values(Text::EMPTY)),
+        )
         .claim(
             text!(
                 "with a margin of {} the window has the pixels of the whole picture",

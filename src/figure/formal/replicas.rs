@@ -159,6 +159,7 @@ fn replicas(step: f64) -> Result<Figure> {
     let frequencies: Vec<f64> = (-40..=40).map(|i| 0.1 * f64::from(i)).collect();
     let neighbours = copies.density(0.0).re;
     Ok(Figure::new(1)
+        .heights([1.0, 1.0, 1.28])
         .with(
             panel("copies", text!("ΣF(ν − k/T): shifted copies added up", "ΣF(ν − k/T): сумма сдвинутых копий"))
                 .with(shifted.thick())
@@ -222,7 +223,8 @@ const CLOSER: Entry = Entry {
 fn closer(band: f64) -> Result<Figure> {
     let spectrum = RaisedCosine::new(band)?.spectrum();
     let names = ["T = 0.5", "T = 1", "T = 1.5", "T = 2"];
-    names.into_iter().zip([0.5, 1.0, 1.5, 2.0]).try_fold(Figure::new(1), |figure, (name, step)| {
+    let figure = Figure::new(1).heights([1.0, 1.0, 1.0, 1.42]);
+    names.into_iter().zip([0.5, 1.0, 1.5, 2.0]).try_fold(figure, |figure, (name, step)| {
         let row = Row::new(&spectrum, step)?;
         let (distance, width) = (row.distance(), row.width());
         Ok(figure.with(row.panel(name)).claim(distance.0, distance.1).claim(width.0, width.1))

@@ -189,6 +189,7 @@ fn comb(step: f64) -> Result<Figure> {
     let integral = integrate_pieces(|x| f.at(x), &knots, 1e-14);
     let allowed = end * step * step / 12.0 * f.max_curvature() + integral.error + sum_rounding(drawn.len(), sum);
     Ok(Figure::new(1)
+        .heights([1.0, 1.0, 1.28])
         .with(signal)
         .with(comb_panel)
         .with(product_panel)

@@ -56,8 +56,7 @@ fn chirp(rate: usize) -> Result<Figure> {
     let turns = (1..).map(|k| f64::from(k) * mirror).take_while(|x| *x < end - 1e-9);
     let mirrors = || Layer::verticals("mirrors", Meaning::Guide, turns.clone()).dashed();
     let panel = |name| {
-        let positions = Scale::linear(Text::EMPTY, -0.05, end + 0.05);
-        Panel::new(name, Text::EMPTY, positions, values("f(x)", -0.45, 2.45)).legend(Legend::Above)
+        Panel::new(name, Text::EMPTY, space(-0.05, end + 0.05), values("f(x)", -0.45, 2.45)).legend(Legend::Above)
     };
     let before = panel("chirp")
         .with(
@@ -102,7 +101,7 @@ fn chirp(rate: usize) -> Result<Figure> {
     // Dirichlet's kernel sums to at most 2 + ln n in absolute value
     let rounding = (2.0 + (one_period.values().len() as f64).ln()) * (phase + 64.0 * f64::EPSILON);
     Ok(Figure::new(1)
-        .heights([1.0, 1.0, 1.0])
+        .heights([1.0, 1.0, 1.25])
         .with(before)
         .with(after)
         .with(frequencies)

@@ -2,8 +2,9 @@
 
 use crate::error::Result;
 use crate::field::star::SiemensStar;
-use crate::figure::images::view::{picture, spectrum};
+use crate::figure::images::view::{in_decibels, picture, spectrum};
 use crate::figure::params::Param;
+use crate::figure::picture::part;
 use crate::figure::{Entry, Figure, Layer, Meaning, Panel};
 use crate::grid::Grid;
 use crate::image::dft::forward;
@@ -58,9 +59,8 @@ fn combed(image: &Image, step: usize) -> Result<Image> {
 
 /// The middle of a picture.
 fn middle(image: &Image) -> Result<Image> {
-    let first = (SIDE - MIDDLE) / 2;
-    let places = (first..first + MIDDLE).flat_map(|j| (first..first + MIDDLE).map(move |i| (i, j)));
-    Image::new(Grid::centered(1.0, MIDDLE, MIDDLE)?, places.map(|(i, j)| image.at(i, j)).collect())
+    let along = (SIDE - MIDDLE) / 2..(SIDE + MIDDLE) / 2;
+    part(image, along.clone(), along)
 }
 
 /// The circle of the band around every copy whose middle is shown, as one line.
@@ -106,7 +106,8 @@ fn copies(band: usize) -> Result<Figure> {
     let rounding = transform_rounding(SIDE * SIDE) * limited.values().iter().map(|v| v.abs()).sum::<f64>();
     let reach = SIDE / 2 - 1;
     let view = |name, bins: &ImageBins, step: usize| -> Result<Panel> {
-        Ok(spectrum(name, Text::EMPTY, bins, FLOOR, reach)?
+        let title = if step == 1 { in_decibels(FLOOR) } else { Text::EMPTY };
+        Ok(spectrum(name, title, bins, FLOOR, reach)?
             .with(Layer::line("copies", Meaning::Replica, circles(step, radius)).thin())
             .with(Layer::line("band", Meaning::Leaked, circles(1, radius)).thick()))
     };

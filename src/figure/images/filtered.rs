@@ -3,8 +3,9 @@
 use crate::axis::Edge;
 use crate::door::{Limits, read_picture};
 use crate::error::Result;
-use crate::figure::images::view::{photograph, spectrum_over, worse};
+use crate::figure::images::view::{in_decibels, spectrum_over, worse};
 use crate::figure::params::{Param, Params};
+use crate::figure::picture::{grey, part, picture};
 use crate::figure::{Entry, Figure};
 use crate::grid::Grid;
 use crate::image::dft::forward;
@@ -48,6 +49,8 @@ const PASSES: Entry = Entry {
 /// The photograph, unchanged, and the size at which it is shown.
 const CAMERA: &[u8] = include_bytes!("../../../data/camera.png");
 const SIDE: usize = 128;
+/// The columns and rows that are shown: all but a narrow border, for the sake of larger pixels.
+const SHOWN: std::ops::Range<usize> = 4..124;
 /// The darkest tone of a spectrum, in decibels.
 const FLOOR: f64 = -80.0;
 /// How many bins to every side of zero are shown.
@@ -87,21 +90,18 @@ fn passes(params: &Params) -> Result<Figure> {
     let percent = shares.map(|share| number(100.0 * share, 3));
 
     // detail around zero, to the same scale in both pictures
-    let spread = 0.25;
+    let detail = |name, title, piece: &Image| grey(name, title, piece, (-0.25, 0.25));
     let largest = whole.values().iter().map(|f| f.norm()).fold(0.0, f64::max);
     let below = |name, bins: &ImageBins, title: Text| spectrum_over(name, title, bins, largest, FLOOR, REACH);
     let share = |i: usize| text!("{} % of the energy", "{} % энергии", percent[i]);
+    let inner = |image: &Image| part(image, SHOWN, SHOWN);
     let figure = Figure::new(4)
-        .with(photograph("photo", text!("photograph", "фотография"), &photo, (0.0, 1.0)))
-        .with(photograph("low", text!("low: to {low}", "низкие: до {low}"), &pieces[0], (0.0, 1.0)))
-        .with(photograph(
-            "band",
-            text!("band: {low} to {high}", "средние: {low}–{high}"),
-            &pieces[1],
-            (-spread, spread),
-        ))
-        .with(photograph("high", text!("high: from {high}", "высокие: от {high}"), &pieces[2], (-spread, spread)))
-        .with(below("photo-spectrum", &whole, text!("spectrum, dB", "спектр, дБ"))?)
+        .heights([1.14, 1.0])
+        .with(picture("photo", text!("photograph", "фотография"), &inner(&photo)?))
+        .with(picture("low", text!("low: to {low}", "низкие: до {low}"), &inner(&pieces[0])?))
+        .with(detail("band", text!("band: {low} to {high}", "средние: {low}–{high}"), &inner(&pieces[1])?))
+        .with(detail("high", text!("high: from {high}", "высокие: от {high}"), &inner(&pieces[2])?))
+        .with(below("photo-spectrum", &whole, in_decibels(FLOOR))?)
         .with(below("low-spectrum", &bins[0], share(0))?)
         .with(below("band-spectrum", &bins[1], share(1))?)
         .with(below("high-spectrum", &bins[2], share(2))?);

@@ -3,8 +3,9 @@
 use crate::error::Result;
 use crate::field::spot::GaussianSpot;
 use crate::field::{Field, FourierField, from_fn};
-use crate::figure::images::view::{extent, picture, spectrum, worse};
+use crate::figure::images::view::{in_decibels, picture, spectrum, worse};
 use crate::figure::params::Param;
+use crate::figure::picture::extent;
 use crate::figure::{Entry, Figure, Layer, Mark, Meaning, Panel, Scale};
 use crate::grid::Grid;
 use crate::image::dft::forward;
@@ -74,9 +75,14 @@ fn round(a: f64) -> Result<Figure> {
     let profiles = [profile(&bins[0]), profile(&bins[1])];
     let end = REACH as f64 + 0.5;
     let names = [["narrow", "narrow-spectrum", "narrow-row"], ["wide", "wide-spectrum", "wide-row"]];
-    let mut figure = Figure::new(3);
+    let mut figure = Figure::new(4).heights([1.24, 1.0]);
     for i in 0..2 {
-        let (known, radius) = (spots[i].spectrum(), number(radii[i], 3));
+        let radius = number(radii[i], 3);
+        let title = text!("e^{{−r²/{radius}²}}", "e^{{−r²/{radius}²}}");
+        figure = figure.with(picture(names[i][0], title, &images[i], (0.0, 1.0)).span(2));
+    }
+    for i in 0..2 {
+        let known = spots[i].spectrum();
         let curve = move |k: f64| known.density(k / SIDE as f64, 0.0).re / known.density(0.0, 0.0).re;
         let row = Panel::new(
             names[i][2],
@@ -86,10 +92,7 @@ fn round(a: f64) -> Result<Figure> {
         )
         .with(Layer::curve("theory", Meaning::Theory, -end, end, 400, curve))
         .with(Layer::stems("bins", Meaning::Signal, profiles[i].clone()));
-        figure = figure
-            .with(picture(names[i][0], text!("e^{{−r²/{radius}²}}", "e^{{−r²/{radius}²}}"), &images[i], (0.0, 1.0)))
-            .with(spectrum(names[i][1], text!("spectrum, dB", "спектр, дБ"), &bins[i], FLOOR, REACH)?)
-            .with(row);
+        figure = figure.with(spectrum(names[i][1], in_decibels(FLOOR), &bins[i], FLOOR, REACH)?).with(row);
     }
 
     let side = SIDE as f64;
@@ -216,14 +219,13 @@ fn turned(angle: f64) -> Result<Figure> {
         text!("e^{{−x²/32²}}·e^{{−y²/16²}}", "e^{{−x²/32²}}·e^{{−y²/16²}}"),
         text!("turned by {degrees}°", "повёрнут на {degrees}°"),
     ];
-    let below = || text!("spectrum, dB", "спектр, дБ");
     let pictures = [
         picture("along", titles[0].clone(), &images[0], (0.0, 1.0)),
         picture("turned", titles[1].clone(), &images[1], (0.0, 1.0)),
     ];
     let spectra = [
-        spectrum("along-spectrum", below(), &bins[0], FLOOR, REACH)?,
-        spectrum("turned-spectrum", below(), &bins[1], FLOOR, REACH)?,
+        spectrum("along-spectrum", in_decibels(FLOOR), &bins[0], FLOOR, REACH)?,
+        spectrum("turned-spectrum", in_decibels(FLOOR), &bins[1], FLOOR, REACH)?,
     ];
     let end = REACH as f64 + 0.5;
     let ((first, widths), (second, others)) = (axes(moments(&bins[0])), axes(moments(&bins[1])));
@@ -281,12 +283,14 @@ fn turned(angle: f64) -> Result<Figure> {
     let off = (tail(&spots[0]) + tail(&spots[1]) + 2.0 * rounding) / (known[1] - known[0]);
     let turn = (second - first).to_degrees().rem_euclid(180.0);
     let missed = (turn - angle).abs();
-    Ok(Figure::new(3)
-        .with(pictures[0].clone())
-        .with(spectra[0].clone())
+    let ([along, turned], [along_spectrum, turned_spectrum]) = (pictures, spectra);
+    Ok(Figure::new(4)
+        .heights([1.24, 1.0])
+        .with(along.span(2))
+        .with(turned.span(2))
+        .with(along_spectrum)
         .with(space)
-        .with(pictures[1].clone())
-        .with(spectra[1].clone())
+        .with(turned_spectrum)
         .with(frequency)
         .claim(
             text!(

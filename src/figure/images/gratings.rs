@@ -5,7 +5,7 @@ use crate::field::FourierField;
 use crate::field::flat::Flat;
 use crate::field::grating::Grating;
 use crate::field::plaid::Plaid;
-use crate::figure::images::view::{picture, spectrum};
+use crate::figure::images::view::{decibels, in_decibels, picture, spectrum};
 use crate::figure::params::{Param, Params};
 use crate::figure::{Entry, Figure, Layer, Meaning, Panel, Scale};
 use crate::grid::Grid;
@@ -37,10 +37,10 @@ const CONSTANT: Entry = Entry {
     errata: &[],
     title: &Text::fixed("Space and frequency: constant and sine", "Пространство и частота: константа и синус"),
     caption: &Text::fixed(
-        "A picture of 128 × 128 pixels, the middle of its spectrum with zero frequency in the centre, and the bins of the row \
-         v = 0. A constant is a single bin. A sine is two, as far from zero as it has periods across the picture: 32 pixels \
+        "A picture of 128 × 128 pixels, below it the middle of its spectrum with zero frequency in the centre, and the bins \
+         of the row v = 0. A constant is a single bin. A sine is two, as far from zero as it has periods across the picture: 32 pixels \
          per period are 4. The scales of spectra count periods across the picture.",
-        "Картинка 128 × 128, середина её спектра с нулевой частотой в центре и отсчёты спектра в строке v = 0. Константа — \
+        "Картинка 128 × 128, под ней середина её спектра с нулевой частотой в центре и отсчёты спектра в строке v = 0. Константа — \
          один отсчёт. Синус — два, на расстоянии от нуля, равном числу периодов на картинке: период в 32 пикселя даёт 4. \
          По осям спектров — число периодов на картинку.",
     ),
@@ -84,15 +84,16 @@ fn row(name: &'static str, image: &Image) -> Panel {
 fn constant_and_sine(k: usize) -> Result<Figure> {
     let (flat, wave) = (Flat::new(0.5)?, sine(k, 0)?);
     let images = [Image::of(&flat, grid()?), Image::of(&wave, grid()?)];
-    let shown = |image: &Image, name, title| spectrum(name, title, &forward(image), FLOOR, REACH);
+    let shown = |image: &Image, name| spectrum(name, in_decibels(FLOOR), &forward(image), FLOOR, REACH);
     let argument = argument('x', k);
     let half = number((SIDE * SIDE / 2) as f64, 4);
-    Ok(Figure::new(3)
-        .with(picture("constant", text!("constant ½", "константа ½"), &images[0], (0.0, 1.0)))
-        .with(shown(&images[0], "constant-spectrum", text!("spectrum, dB", "спектр, дБ"))?)
+    Ok(Figure::new(4)
+        .heights([1.24, 1.0])
+        .with(picture("constant", text!("constant ½", "константа ½"), &images[0], (0.0, 1.0)).span(2))
+        .with(picture("sine", text!("sin({argument})", "sin({argument})"), &images[1], (-1.0, 1.0)).span(2))
+        .with(shown(&images[0], "constant-spectrum")?)
         .with(row("constant-row", &images[0]))
-        .with(picture("sine", text!("sin({argument})", "sin({argument})"), &images[1], (-1.0, 1.0)))
-        .with(shown(&images[1], "sine-spectrum", text!("spectrum, dB", "спектр, дБ"))?)
+        .with(shown(&images[1], "sine-spectrum")?)
         .with(row("sine-row", &images[1]))
         .claim(
             text!(
@@ -118,10 +119,10 @@ const WAVES: Entry = Entry {
     caption: &Text::fixed(
         "The direction of a wave is the direction in which its two peaks lie, its number of periods their distance from zero. \
          A product of two waves is a sum of two others, at the sum and the difference of the frequencies: four peaks of half \
-         the size, none of them where the factors had theirs.",
+         the size, none of them where the factors have theirs.",
         "Направление волны — это направление, в котором лежат два её пика, число периодов — их расстояние от нуля. \
          Произведение двух волн есть сумма двух других, на сумме и разности частот: четыре пика вдвое меньшей величины, и \
-         ни один не там, где были пики сомножителей.",
+         ни один не там, где пики сомножителей.",
     ),
     params: &[
         Param::count("k", &ACROSS, 8, 1, 15),
@@ -134,7 +135,7 @@ const WAVES: Entry = Entry {
 fn waves(params: &Params) -> Result<Figure> {
     let [k, l, m] = ["k", "l", "m"].map(|name| params.count(name));
     let (across, up, slow) = (sine(k, 0)?, sine(0, l)?, sine(m, 0)?);
-    let (product, slower) = (Plaid::new(across, up)?, Plaid::new(slow, up)?);
+    let product = Plaid::new(slow, up)?;
     let (half, quarter) = (number((SIDE * SIDE / 2) as f64, 4), number((SIDE * SIDE / 4) as f64, 4));
     let [x, y, z] = [argument('x', k), argument('y', l), argument('x', m)];
     let columns = [
@@ -153,15 +154,6 @@ fn waves(params: &Params) -> Result<Figure> {
         Column::of(
             &product,
             ["product", "product-spectrum"],
-            text!("their product", "их произведение"),
-            text!(
-                "their product: four peaks at (±{k}, ±{l}), N²/4 = {quarter}",
-                "их произведение: четыре пика в (±{k}, ±{l}), N²/4 = {quarter}"
-            ),
-        )?,
-        Column::of(
-            &slower,
-            ["slower", "slower-spectrum"],
             text!("sin({z})·sin({y})", "sin({z})·sin({y})"),
             text!(
                 "sin({z})·sin({y}): four peaks at (±{m}, ±{l}), N²/4 = {quarter}",
@@ -169,7 +161,8 @@ fn waves(params: &Params) -> Result<Figure> {
             ),
         )?,
     ];
-    let figure = columns.iter().fold(Figure::new(4), |figure, column| figure.with(column.above.clone()));
+    let figure = Figure::new(3).heights([1.22, 1.0]);
+    let figure = columns.iter().fold(figure, |figure, column| figure.with(column.above.clone()));
     let figure = columns.iter().fold(figure, |figure, column| figure.with(column.below.clone()));
     Ok(columns.into_iter().fold(figure, |figure, column| figure.claim(column.says, column.residual)))
 }
@@ -187,7 +180,7 @@ impl Column {
         let image = Image::of(field, grid()?);
         Ok(Self {
             above: picture(above, title, &image, (-1.0, 1.0)),
-            below: spectrum(below, Text::EMPTY, &forward(&image), FLOOR, REACH)?,
+            below: spectrum(below, Text::EMPTY, &forward(&image), FLOOR, REACH)?.bar(decibels()),
             says,
             residual: spectrum_by_transform(&image, &field.spectrum(), 0.0),
         })

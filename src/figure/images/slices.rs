@@ -9,7 +9,7 @@ use crate::field::{FourierField, from_fn};
 use crate::figure::common::PIECES;
 use crate::figure::images::view::picture;
 use crate::figure::params::Param;
-use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
+use crate::figure::{Bar, Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use crate::grid::Grid;
 use crate::image::Image;
 use crate::image::projection::line_integral;
@@ -107,6 +107,7 @@ fn slice(angle: f64) -> Result<Figure> {
             (0.0, 1.0),
             Tones::Data,
         ))
+        .bar(Bar::values(Text::EMPTY))
         .with(
             Layer::pointers(
                 "axis",

@@ -1,39 +1,17 @@
 //! How pictures and their spectra are shown in this chapter.
 
-use crate::axis::Axis;
 use crate::error::Result;
-use crate::figure::{Layer, Panel, Scale, Tones};
+use crate::figure::picture::{grey, upward};
+use crate::figure::{Bar, Layer, Panel, Scale, Tones};
 use crate::image::{Image, ImageBins};
 use crate::residual::Residual;
+use crate::text;
 use crate::text::Text;
 use ndarray::Array2;
 
-/// From where to where the pixels of an axis reach: half a step beyond the outermost middles.
-pub(super) fn extent(axis: Axis) -> (f64, f64) {
-    let start = axis.start() - 0.5 * axis.step();
-    (start, start + axis.span())
-}
-
-/// A picture in grey, from black at `low` to white at `high`; `y` points up, as in formulas.
-pub(super) fn picture(name: &'static str, title: Text, image: &Image, tones: (f64, f64)) -> Panel {
-    let (x, y) = (extent(image.grid().x()), extent(image.grid().y()));
-    let scale = |(low, high)| Scale::linear(Text::EMPTY, low, high).bare();
-    Panel::new(name, title, scale(x), scale(y)).square().with(Layer::raster(
-        "picture",
-        x,
-        y,
-        image.pixels().clone(),
-        tones,
-        Tones::Grey,
-    ))
-}
-
-/// The same turned upside down, for photographs, whose rows run downward.
-#[cfg(feature = "files")]
-pub(super) fn photograph(name: &'static str, title: Text, image: &Image, tones: (f64, f64)) -> Panel {
-    let mut panel = picture(name, title, image, tones);
-    panel.y.range = (panel.y.range.1, panel.y.range.0);
-    panel
+/// A picture in grey, from black at the start of `range` to white at its end; `y` points up, as in formulas.
+pub(super) fn picture(name: &'static str, title: Text, image: &Image, range: (f64, f64)) -> Panel {
+    upward(grey(name, title, image, range))
 }
 
 /// A part of an array around the bin of zero frequency: `reach` bins to every side.
@@ -43,7 +21,7 @@ fn around_zero(values: &Array2<f64>, reach: usize) -> Array2<f64> {
     Array2::from_shape_fn((2 * reach + 1, 2 * reach + 1), |(l, k)| values[[top + l, left + k]])
 }
 
-/// The middle of a spectrum, `reach` bins from zero to every side, as decibels from `floor` to 0, which is its largest bin;
+/// The middle of a spectrum, `reach` bins from zero to every side, in decibels from `floor` to 0, which is its largest bin;
 /// the scales count bins: periods across the picture.
 pub(super) fn spectrum(name: &'static str, title: Text, bins: &ImageBins, floor: f64, reach: usize) -> Result<Panel> {
     let largest = bins.values().iter().map(|f| f.norm()).fold(0.0, f64::max);
@@ -65,16 +43,25 @@ pub(super) fn spectrum_over(
     let largest = bins.values().iter().map(|f| f.norm()).fold(0.0, f64::max);
     let own = floor - 20.0 * (largest / whole).log10();
     // to whole decibels, which is as much as colours tell apart
-    let decibels = around_zero(bins.log_magnitude(own)?.pixels(), reach) * own;
-    let shown = decibels.mapv(|db| db.round() / floor);
+    let shown = around_zero(bins.log_magnitude(own)?.pixels(), reach).mapv(|v| (floor - own * v).round());
     Ok(Panel::new(name, title, scale(), scale()).square().with(Layer::raster(
         "spectrum",
         (-end, end),
         (-end, end),
         shown,
-        (0.0, 1.0),
+        (floor, 0.0),
         Tones::Data,
     )))
+}
+
+/// A bar of decibels.
+pub(super) fn decibels() -> Bar {
+    Bar::values(text!("dB", "дБ"))
+}
+
+/// What stands above a spectrum without a bar.
+pub(super) fn in_decibels(floor: f64) -> Text {
+    text!("spectrum, {floor} to 0 dB", "спектр, от {floor} до 0 дБ")
 }
 
 /// The one that comes nearer to its bound.

@@ -5,6 +5,7 @@ use crate::error::Result;
 use crate::field::zone_plate::ZonePlate;
 use crate::figure::images::view::picture;
 use crate::figure::params::Param;
+use crate::figure::picture::{frame, part};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::grid::Grid;
 use crate::image::dft::forward;
@@ -52,7 +53,7 @@ const SIDE: usize = 128;
 /// How many times finer the reconstruction is.
 const FINER: usize = 4;
 /// The corner and the side of the crop, in samples.
-const CROP: ([usize; 2], usize) = ([72, 0], 32);
+const CROP: ([usize; 2], usize) = ([72, 0], 40);
 
 /// `β` of the wide kernel: it leaks −80 dB.
 const BETA: f64 = 8.0;
@@ -126,10 +127,8 @@ impl Back {
 /// The crop of a picture that is `FINER` times as fine as the samples.
 fn crop(image: &Image) -> Result<Image> {
     let ([left, low], side) = CROP;
-    let axis = |axis: Axis, first: usize| Axis::new(axis.at((FINER * first) as i64), axis.step(), FINER * side);
-    let grid = Grid::new(axis(image.grid().x(), left)?, axis(image.grid().y(), low)?)?;
-    let rows = (0..FINER * side).flat_map(|j| (0..FINER * side).map(move |i| (i, j)));
-    Image::new(grid, rows.map(|(i, j)| image.at(FINER * left + i, FINER * low + j)).collect())
+    let along = |first: usize| FINER * first..FINER * (first + side);
+    part(image, along(left), along(low))
 }
 
 fn plate(radius: f64) -> Result<Figure> {
@@ -145,14 +144,10 @@ fn plate(radius: f64) -> Result<Figure> {
     ];
 
     let ([left, low], side) = CROP;
-    let frame = {
-        let [x0, y0] = [left, low].map(|v| v as f64 - 0.5);
-        let [x1, y1] = [x0, y0].map(|v| v + side as f64);
-        [[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]]
-    };
+    let [x, y] = [left, low].map(|first| [first as f64 - 0.5, (first + side) as f64 - 0.5]);
     let end = SIDE as f64;
     let whole = picture("samples", text!("128² samples", "128² отсчётов"), &samples, (0.0, 1.0))
-        .with(Layer::line("crop", Meaning::Leaked, frame).thick());
+        .with(frame("crop", Meaning::Leaked, x, y).thick());
     let fine = Axis::new(-0.375, 0.25, FINER * SIDE)?;
     let truth = crop(&Image::of(&field, Grid::new(fine, fine)?))?;
     let original = picture("original", text!("crop: the true rings", "фрагмент: верные кольца"), &truth, (0.0, 1.0));

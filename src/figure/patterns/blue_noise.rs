@@ -2,10 +2,10 @@
 
 use crate::axis::Axis;
 use crate::error::Result;
-use crate::figure::common::unmarked;
 use crate::figure::params::{Param, Params};
 use crate::figure::patterns::square::{SEED, SEEDS, for_all_seeds, tones_panel};
-use crate::figure::{Entry, Figure, Layer, Panel, Tones};
+use crate::figure::picture::picture;
+use crate::figure::{Bar, Entry, Figure, Panel};
 use crate::grid::Grid;
 use crate::image::Image;
 use crate::image::dft::forward;
@@ -95,7 +95,7 @@ fn blocks(dithered: &Array2<f64>) -> f64 {
 }
 
 fn noise(params: &Params) -> Result<Figure> {
-    const PICTURE: usize = 128;
+    const PICTURE: usize = 160;
     const LOW: f64 = 0.15;
     let seed = params.count("seed") as u64;
     let side: usize = match params.choice("side") {
@@ -106,36 +106,31 @@ fn noise(params: &Params) -> Result<Figure> {
     let masks = [white(side, seed), blue(side, seed)?];
     let powers = [power(&masks[0])?, power(&masks[1])?];
     let pictures = [dithered(&masks[0], PICTURE), dithered(&masks[1], PICTURE)];
-    let raster = |name, title, values: Array2<f64>| {
-        let ends = (0.0, values.ncols() as f64);
-        Panel::new(name, title, unmarked(ends.0, ends.1), unmarked(ends.0, ends.1)).square().with(Layer::raster(
-            "cells",
-            ends,
-            ends,
-            values,
-            (0.0, 1.0),
-            Tones::Grey,
-        ))
+    let shown = |name, title, values: &Array2<f64>| -> Result<Panel> {
+        let (rows, columns) = values.dim();
+        Ok(picture(name, title, &Image::trusted(Grid::pixels(columns, rows)?, values.clone())))
     };
     let spectrum = |name, power: &Array2<f64>| {
-        // an odd number of bins, symmetric about zero
-        let inner = Array2::from_shape_fn((side - 1, side - 1), |(y, x)| power[[y + 1, x + 1]]);
+        // an odd number of bins, symmetric about zero, as many as make large cells
+        let inner = Array2::from_shape_fn((side - 3, side - 3), |(y, x)| power[[y + 2, x + 2]]);
         tones_panel(name, text!("its power", "его мощность"), inner, side as f64, (0.0, 2.0))
+            .bar(Bar::values(Text::EMPTY))
     };
     let [[p_white, p_blue], [e_white, e_blue]] =
         [[low(&powers[0], LOW).0, low(&powers[1], LOW).0], [blocks(&pictures[0]), blocks(&pictures[1])]];
     let bins = low(&powers[0], LOW).1 as f64;
     let [m_white, m_blue] = [0, 1].map(|i| pictures[i].sum() / (PICTURE * PICTURE) as f64);
     // the ramp takes each mask's thresholds at its own greys: the variance of a pixel is p(1 − p), ⅙ in the mean; in a mask
-    // that is repeated every cell stands for (PICTURE/side)² pixels
-    let pixels = (side * side).min(PICTURE * PICTURE) as f64;
+    // that is repeated every cell stands for (PICTURE/side)² pixels, or, where a copy is cut, for more or less than that:
+    // with 1¼ copies along a side the variance is (1.75/1.25²)² = 1.25 times as much, with more less
+    let pixels = (side * side) as f64 / 1.26;
     Ok(Figure::new(3)
-        .with(raster("white", text!("white noise", "белый шум"), masks[0].clone()))
+        .with(shown("white", text!("white noise", "белый шум"), &masks[0])?)
         .with(spectrum("white-power", &powers[0]))
-        .with(raster("white-ramp", text!("dithered by it", "градиент через него"), pictures[0].clone()))
-        .with(raster("blue", text!("blue noise", "синий шум"), masks[1].clone()))
+        .with(shown("white-ramp", text!("dithered by it", "градиент через него"), &pictures[0])?)
+        .with(shown("blue", text!("blue noise", "синий шум"), &masks[1])?)
         .with(spectrum("blue-power", &powers[1]))
-        .with(raster("blue-ramp", text!("dithered by it", "градиент через него"), pictures[1].clone()))
+        .with(shown("blue-ramp", text!("dithered by it", "градиент через него"), &pictures[1])?)
         .claim(
             text!(
                 "white: the power below {LOW} cycles per cell is {} of the mean",

@@ -4,7 +4,7 @@ use crate::error::Result;
 use crate::figure::labels::labels;
 use crate::figure::params::{Param, Params};
 use crate::figure::patterns::square::{SEED, SEEDS, for_all_seeds, mean, points_panel, power_panel};
-use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
+use crate::figure::{Bar, Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::laws::discrepancy::{elementary_intervals, grid_discrepancy, halton_boxes, hammersley_discrepancy};
 use crate::laws::point_spectra::{PLATEAU, in_band};
 use crate::laws::spacing::packing;
@@ -15,6 +15,7 @@ use crate::pattern::measure::discrepancy::star_discrepancy;
 use crate::pattern::measure::distance::{min_distance_torus, most_distance};
 use crate::pattern::measure::elementary::unfairness;
 use crate::pattern::measure::periodogram::{Periodogram, pattern_seed};
+use crate::pattern::measure::whiteness::white_peak;
 use crate::pattern::poisson_disk::PoissonDisk;
 use crate::residual::Residual;
 use crate::text;
@@ -116,11 +117,13 @@ const SPECTRA: Entry = Entry {
     title: &Text::fixed("Their power spectra", "Их спектры мощности"),
     caption: &Text::fixed(
         "Frequencies in units of √N; random patterns are averaged. Dark is no noise, 1 is white noise. Halton, \
-         Hammersley and (0,2) have spikes: aliases stay copies; Owen's scrambling makes noise of them. N rooks is dark on the axes only, multi-jitter around zero, too. Best candidate and \
-         Poisson disk are dark in a disk around zero with a bright ring about it, the same in all directions.",
+         Hammersley and (0,2) have spikes: aliases stay copies; Owen's scrambling makes noise of them. N rooks is dark on \
+         the axes only, multi-jitter around zero, too. Best candidate and Poisson disk are dark in a disk around zero with a bright \
+         ring about it, the same in all directions.",
         "Частоты в единицах √N, случайные узоры усреднены. Тёмное — шума нет, 1 — белый шум. У Холтона, Хаммерсли и \
-         (0,2) пики: алиасы остаются копиями; перемешивание Оуэна превращает их в шум. N ладей темны лишь на осях, мультиджиттер — и вокруг нуля. Лучший кандидат и диски Пуассона \
-         темны в круге вокруг нуля, обведённом ярким кольцом, одинаково во всех направлениях.",
+         (0,2) пики: алиасы остаются копиями; перемешивание Оуэна превращает их в шум. N ладей темны лишь на осях, \
+         мультиджиттер — и вокруг нуля. Лучший кандидат и диски Пуассона темны в круге вокруг нуля, обведённом ярким \
+         кольцом, одинаково во всех направлениях.",
     ),
     params: &[Param::count("seed", &SEED, 1, 1, SEEDS)],
     build: |params| spectra(params.count("seed") as u64),
@@ -129,17 +132,23 @@ const SPECTRA: Entry = Entry {
 /// How many patterns are averaged.
 const PATTERNS: u32 = 30;
 /// The largest frequency, a little beyond twice √N.
-const REACH: usize = 36;
+const REACH: usize = 32;
 
 fn spectra(seed: u64) -> Result<Figure> {
-    let mut figure = Figure::new(4);
+    const COLUMNS: usize = 4;
+    let mut figure = Figure::new(COLUMNS);
     let mut found = Vec::new();
-    for (name, title) in &SHOWN {
+    for (i, (name, title)) in SHOWN.iter().enumerate() {
         let pattern = by_name(name, N)?;
         // without chance one is as good as many
         let patterns = if matches!(*name, "halton" | "hammersley") { 1 } else { PATTERNS };
         let power = Periodogram::mean(&*pattern, seed, patterns, REACH)?;
-        figure = figure.with(power_panel(name, title.clone(), &power, (N as f64).sqrt(), (0.0, 2.0)));
+        let mut panel = power_panel(name, title.clone(), &power, (N as f64).sqrt(), (0.0, 2.0));
+        // all have the same scales: numbers stand at the start of a row, and what tones mean at its end
+        if i % COLUMNS > 0 {
+            panel.y = panel.y.bare();
+        }
+        figure = figure.with(if i % COLUMNS == COLUMNS - 1 { panel.bar(Bar::values(Text::EMPTY)) } else { panel });
         found.push((*name, power));
     }
     let of = |name| found.iter().find(|(known, _)| *known == name).map(|(_, power)| power);
@@ -168,6 +177,9 @@ fn spectra(seed: u64) -> Result<Figure> {
     let worst = [axis("n-rooks"), axis("multi-jittered")].map(|r| (r - 1.0).abs()).into_iter().fold(0.0, f64::max);
     let peak = |name| of(name).map_or(f64::NAN, |power| power.half().map(|(_, p)| p).fold(0.0, f64::max));
     let z = for_all_seeds(2);
+    // one pattern without chance: the peak that noise stays below in all but one of 10⁵ cases
+    let half = 2 * REACH * (REACH + 1);
+    let spike = white_peak(half, 1.0 - 1e-5)?;
     Ok(figure
         .claim(
             text!(
@@ -196,14 +208,37 @@ fn spectra(seed: u64) -> Result<Figure> {
         )
         .claim(
             text!(
-                "the highest spike of Hammersley has {} of N, that of (0,2) on average {}",
-                "самый высокий пик Хаммерсли — {} от N, у (0,2) в среднем {}",
-                number(peak("hammersley") / N as f64, 2),
-                number(peak("zero-two") / N as f64, 2)
+                "highest spikes: Halton {}, Hammersley {}, (0,2) on average {}; no noise reaches {}",
+                "самые высокие пики: Холтон {}, Хаммерсли {}, (0,2) в среднем {}; шум не достигает {}",
+                number(peak("halton"), 2),
+                number(peak("hammersley"), 2),
+                number(peak("zero-two"), 2),
+                number(spike, 2)
             ),
-            // |S|² ≤ N²: no spike is higher than the one at zero
-            Residual::at_most("no spike is higher than the one at zero", peak("hammersley") / N as f64, 1.0),
+            Residual::at_least(
+                "the lowest of the three highest spikes, in powers of noise",
+                ["halton", "hammersley", "zero-two"].map(peak).into_iter().fold(f64::INFINITY, f64::min),
+                spike,
+            ),
+        )
+        .claim(
+            text!(
+                "Owen's scrambling makes noise of them: the highest power is {}",
+                "перемешивание Оуэна превращает их в шум: наибольшая мощность {}",
+                number(peak("sobol-owen"), 2)
+            ),
+            // the variance of a scrambled (0,2)-net in base 2 is at most twice that of independent points, for every
+            // function (A. Owen, *Scrambled net variance*, 1997): so is the mean power at every frequency
+            Residual::at_most("highest mean power of Owen's points", peak("sobol-owen"), 2.0 * loudest(half * SEEDS)),
         ))
+}
+
+/// What the mean power of [`PATTERNS`] patterns of noise does not exceed at any of so many frequencies, in 999 of 1000
+/// cases: of `n` exponential numbers the mean is beyond `x` with probability `e^{−n(x − 1 − ln x)}` at most (Chernoff).
+fn loudest(frequencies: usize) -> f64 {
+    let rare = (1e3 * frequencies as f64).ln() / f64::from(PATTERNS);
+    // x ← 1 + rare + ln x contracts: its slope is 1/x
+    (0..60).fold(2.0, |x: f64, _| 1.0 + rare + x.ln())
 }
 
 const MEASURES: Entry = Entry {

@@ -4,7 +4,7 @@ use crate::error::Result;
 use crate::figure::common::unmarked;
 use crate::figure::params::Param;
 use crate::figure::patterns::square::{SEED, SEEDS, for_all_seeds};
-use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
+use crate::figure::{Bar, Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use crate::pattern::Pattern;
 use crate::pattern::jittered::Jittered;
 use crate::pattern::measure::periodogram::pattern_seed;
@@ -132,7 +132,8 @@ fn groups(seed: u64) -> Result<Figure> {
         Scale::linear(text!("with the time", "со временем"), 0.0, 24.0),
     )
     .square()
-    .with(Layer::raster("pairings", all, all, &counted.pairings / expected, (0.5, 1.5), Tones::Data));
+    .with(Layer::raster("pairings", all, all, &counted.pairings / expected, (0.5, 1.5), Tones::Data))
+    .bar(Bar::values(text!("of their mean", "от среднего")));
     let cost = Panel::new(
         "cost",
         text!("samples needed", "сколько нужно отсчётов"),

@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::figure::params::Param;
 use crate::figure::patterns::square::{SEED, SEEDS, for_all_seeds, points_panel, power_panel};
-use crate::figure::{Entry, Figure, Layer, Meaning, Panel, Scale};
+use crate::figure::{Bar, Entry, Figure, Layer, Meaning, Panel, Scale};
 use crate::laws::discrepancy::{halton_boxes, hammersley_discrepancy};
 use crate::pattern::Pattern;
 use crate::pattern::halton::Halton;
@@ -67,8 +67,8 @@ fn inverse(m: u32) -> Result<Figure> {
         [2, 1]
     };
     let [a, b] = [1usize << boxes[0], 3usize.pow(boxes[1])];
-    Ok(Figure::new(4)
-        .with(digits.span(2))
+    Ok(Figure::new(3)
+        .with(digits)
         .with(points_panel("halton", text!("Halton, N = {n}", "Холтон, N = {n}"), &halton))
         .with(points_panel("hammersley", text!("Hammersley, N = {n}", "Хаммерсли, N = {n}"), &hammersley))
         .claim(
@@ -148,7 +148,8 @@ fn scrambling(seed: u64) -> Result<Figure> {
     for (_, name, _, kind) in &kinds {
         let found = Periodogram::of(&projection(*kind, N, pattern_seed(seed, 0))?, REACH)?;
         peaks.push(found.half().map(|(_, power)| power).fold(0.0, f64::max) / N as f64);
-        figure = figure.with(power_panel(name, text!("its power", "его мощность"), &found, 1.0, (0.0, 4.0)));
+        let panel = power_panel(name, text!("its power", "его мощность"), &found, 1.0, (0.0, 4.0));
+        figure = figure.with(if *name == "owen-power" { panel.bar(Bar::values(Text::EMPTY)) } else { panel });
     }
     let line = projection(Scrambling::None, 29, seed)?;
     let off = line.iter().map(|[x, y]| (31.0 * y - 29.0 * x).abs()).fold(0.0, f64::max);

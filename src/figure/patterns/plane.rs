@@ -4,7 +4,7 @@ use crate::error::Result;
 use crate::figure::common::unmarked;
 use crate::figure::params::{Param, Params};
 use crate::figure::patterns::square::{SEED, SEEDS, cell_lines, points_panel, power_panel, tones_panel};
-use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
+use crate::figure::{Bar, Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::laws::point_spectra::{Model, follows};
 use crate::num::sinc;
 use crate::pattern::Pattern;
@@ -178,7 +178,10 @@ fn jittered(params: &Params) -> Result<Figure> {
         .heights([1.35, 1.0])
         .with(arrows)
         .with(power_panel("power", text!("measured power", "измеренная мощность"), &found, cells, (0.0, 1.2)))
-        .with(tones_panel("theory", Text::same("1 − sinc²(au)·sinc²(av)"), theory, cells, (0.0, 1.2)))
+        .with(
+            tones_panel("theory", Text::same("1 − sinc²(au)·sinc²(av)"), theory, cells, (0.0, 1.2))
+                .bar(Bar::values(Text::EMPTY)),
+        )
         .with(axis)
         .claim(
             text!(

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::figure::patterns::square::{frequencies, points_panel, power_panel};
-use crate::figure::{Figure, Layer, Meaning, Panel, Portrait, Scale};
+use crate::figure::{Bar, Figure, Layer, Meaning, Panel, Portrait, Scale};
 use crate::pattern::cloud::Cloud;
 use crate::pattern::measure::summary::Summary;
 use crate::text;
@@ -64,13 +64,10 @@ pub fn portrait(name: &str, cloud: &Cloud, summary: &Summary) -> Result<Portrait
     let figure = Figure::new(2)
         .heights([1.4, 1.0])
         .with(points_panel("points", title, &points[..shown]))
-        .with(power_panel(
-            "spectrum",
-            text!("power spectrum", "спектр мощности"),
-            &spectrum.periodogram,
-            1.0,
-            (0.0, 2.0),
-        ))
+        .with(
+            power_panel("spectrum", text!("power spectrum", "спектр мощности"), &spectrum.periodogram, 1.0, (0.0, 2.0))
+                .bar(Bar::values(Text::EMPTY)),
+        )
         .with(radial)
         .with(anisotropy);
     let [discrepancy, distance, mean] = [discrepancy, distance, spectrum.mean()].map(|v| number(v, 3));

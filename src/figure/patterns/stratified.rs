@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::figure::params::{Param, Params};
 use crate::figure::patterns::square::{SEED, SEEDS, boxes_panel, for_all_seeds, mean, power_panel};
-use crate::figure::{Entry, Figure, Layer, Meaning};
+use crate::figure::{Bar, Entry, Figure, Layer, Meaning};
 use crate::laws::discrepancy::grid_discrepancy;
 use crate::pattern::Pattern;
 use crate::pattern::cells::Cells;
@@ -64,15 +64,15 @@ fn stratified(params: &Params) -> Result<Figure> {
         (
             "random",
             "random-power",
-            text!("(a) random, × is empty", "(a) случайные, × — пусто"),
+            text!("(a) random, × is empty", "(а) случайные, × — пусто"),
             text!("white noise", "белый шум"),
             &random,
         ),
-        ("grid", "grid-power", text!("(b) regular", "(b) сетка"), text!("spikes", "пики"), &grid),
+        ("grid", "grid-power", text!("(b) regular", "(б) сетка"), text!("spikes", "пики"), &grid),
         (
             "jittered",
             "jittered-power",
-            text!("(c) jittered", "(c) джиттер"),
+            text!("(c) jittered", "(в) джиттер"),
             text!("little noise near zero", "у нуля шума мало"),
             &jittered,
         ),
@@ -83,7 +83,8 @@ fn stratified(params: &Params) -> Result<Figure> {
         let counts = occupancy(&points, cells)?;
         let panel = boxes_panel(name, title.clone(), [SIDE, SIDE], &points);
         let panel = if counts.contains(&0) { panel.with(crosses(&counts)) } else { panel };
-        figure = figure.with(panel);
+        // one scale for all three
+        figure = figure.with(if *name == "jittered-power" { panel.bar(Bar::values(Text::EMPTY)) } else { panel });
     }
     for (_, name, _, title, pattern) in &kinds {
         let patterns = if *name == "grid-power" { 1 } else { PATTERNS };
@@ -95,7 +96,8 @@ fn stratified(params: &Params) -> Result<Figure> {
             let lines = all.filter(|[u, v]| found.at(*u, *v) > 0.5 * n).map(|f| f.map(|f| f as f64 / SIDE as f64));
             panel = panel.with(Layer::dots("lines", Meaning::Replica, lines));
         }
-        figure = figure.with(panel);
+        // one scale for all three
+        figure = figure.with(if *name == "jittered-power" { panel.bar(Bar::values(Text::EMPTY)) } else { panel });
     }
 
     let of =
@@ -122,14 +124,14 @@ fn stratified(params: &Params) -> Result<Figure> {
         .claim(
             text!(
                 "(a) on average {} % of the cells are empty; theory (1 − 1/N)^{{N}} ≈ e^{{−1}}: {} %",
-                "(a) в среднем пусты {} % ячеек; теория (1 − 1/N)^{{N}} ≈ e^{{−1}}: {} %",
+                "(а) в среднем пусты {} % ячеек; теория (1 − 1/N)^{{N}} ≈ e^{{−1}}: {} %",
                 number(100.0 * part, 3),
                 number(100.0 * q, 3)
             ),
             Residual::near("empty cells of independent points", part, q, z * (variance / f64::from(PATTERNS)).sqrt()),
         )
         .claim(
-            text!("(b), (c) every cell has exactly one point", "(b), (c) в каждой ячейке ровно одна точка"),
+            text!("(b), (c) every cell has exactly one point", "(б), (в) в каждой ячейке ровно одна точка"),
             Residual::at_most("one point in every cell", unfair, 0.0),
         )
         .claim(

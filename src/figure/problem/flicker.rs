@@ -6,7 +6,7 @@ use crate::field::disc::Disc;
 use crate::field::flat::Flat;
 use crate::figure::common::unmarked;
 use crate::figure::params::{Param, Params};
-use crate::figure::problem::picture::{circles, picture};
+use crate::figure::picture::{circles, picture};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use crate::grid::Grid;
 use crate::image::Image;
@@ -14,7 +14,6 @@ use crate::num::{cos_pi, sin_pi};
 use crate::residual::Residual;
 use crate::text;
 use crate::text::{Text, number};
-use ndarray::Array2;
 use std::f64::consts::PI;
 
 static RADIUS: Text = Text::fixed("radius r of the disc", "радиус r диска");
@@ -130,18 +129,15 @@ fn strip(name: &'static str, title: Text, frames: &[[Image; 2]], way: usize, rad
     // a pixel of paper between two frames
     let pitch = SIZE.map(|side| side + 1);
     let (width, height) = (ROW * pitch[0] - 1, FRAMES.div_ceil(ROW) * pitch[1] - 1);
-    let cells = Array2::from_shape_fn((height, width), |(row, column)| {
-        let frame = row / pitch[1] * ROW + column / pitch[0];
-        let (i, j) = (column % pitch[0], row % pitch[1]);
-        if i < SIZE[0] && j < SIZE[1] { frames[frame][way].at(i, j) } else { 1.0 }
-    });
-    let (x, y) = ((0.0, width as f64), (0.0, height as f64));
     let corner = |k: usize| [(k % ROW * pitch[0]) as f64, (k / ROW * pitch[1]) as f64];
     let places: Vec<[f64; 2]> = (0..FRAMES).map(|k| [0, 1].map(|axis| place(k)[axis] + corner(k)[axis])).collect();
-    Panel::new(name, title, unmarked(x.0, x.1), unmarked(y.1, y.0))
-        .square()
-        .with(Layer::raster("pixels", x, y, cells, (0.0, 1.0), Tones::Grey))
-        .with(circles("disc", Meaning::Signal, radius, &places).thick())
+    let panel = Panel::new(name, title, unmarked(0.0, width as f64), unmarked(height as f64, 0.0)).square();
+    let strip = frames.iter().enumerate().fold(panel, |panel, (k, frame)| {
+        let ([x, y], [w, h]) = (corner(k), SIZE.map(|side| side as f64));
+        let pixels = frame[way].pixels().clone();
+        panel.with(Layer::raster("pixels", (x, x + w), (y, y + h), pixels, (0.0, 1.0), Tones::Grey))
+    });
+    strip.with(circles("disc", Meaning::Signal, radius, &places).thick())
 }
 
 /// Five discs on one slow circle, in as many pixels as fit: sampled beside averaged.

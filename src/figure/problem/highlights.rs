@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::figure::common::values;
 use crate::figure::params::{Param, Params};
-use crate::figure::problem::picture::picture;
+use crate::figure::picture::picture;
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::grid::Grid;
 use crate::image::Image;

@@ -5,7 +5,7 @@ use crate::field::Field;
 use crate::field::half_plane::HalfPlane;
 use crate::figure::common::values;
 use crate::figure::params::{Param, Params};
-use crate::figure::problem::picture::picture;
+use crate::figure::picture::picture;
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::grid::Grid;
 use crate::image::Image;

@@ -1,7 +1,5 @@
 //! The problem: sensors and displays, what goes wrong in pictures, sampling too slowly, folding.
 
-mod picture;
-
 pub mod cause;
 pub mod display;
 pub mod flicker;

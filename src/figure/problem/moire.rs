@@ -4,7 +4,7 @@ use crate::error::Result;
 use crate::field::zone_plate::ZonePlate;
 use crate::figure::common::values;
 use crate::figure::params::{Param, Params};
-use crate::figure::problem::picture::{circles, picture};
+use crate::figure::picture::{circles, picture};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::grid::Grid;
 use crate::image::Image;
@@ -70,7 +70,7 @@ fn moire(params: &Params) -> Result<Figure> {
         along,
         values("", 0.0, 1.6),
     )
-    .square()
+    .span(2)
     .legend(Legend::Above)
     .with(Layer::curve("true", Meaning::Signal, 0.0, 1.6, 2, |r| r).label(text!("true, r/M", "истинная, r/M")))
     .with(
@@ -97,7 +97,8 @@ fn moire(params: &Params) -> Result<Figure> {
     let off = grid.iter().zip(area.values()).map(|(at, v)| (v - predicted(at)).abs()).fold(0.0, f64::max);
     // π·r²/M with r² ≤ 2·half², rounded three times
     let rounding = 4.0 * f64::EPSILON * (1.0 + PI * 2.0 * half * half / m);
-    Ok(Figure::new(3)
+    Ok(Figure::new(2)
+        .heights([1.27, 1.0])
         .with(marked(picture("point", text!("1 sample a pixel", "1 отсчёт на пиксель"), &point)))
         .with(marked(picture("area", text!("mean over the area", "среднее по площади"), &area)))
         .with(frequencies)

@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::field::outline::Outline;
 use crate::figure::params::{Param, Params};
-use crate::figure::problem::picture::{frame, picture};
+use crate::figure::picture::{frame, picture};
 use crate::figure::{Entry, Figure, Meaning, Panel};
 use crate::grid::Grid;
 use crate::image::Image;

@@ -6,7 +6,7 @@ use crate::field::half_plane::HalfPlane;
 use crate::field::polygon::ConvexPolygon;
 use crate::field::{Field, from_fn};
 use crate::figure::params::{Param, Params};
-use crate::figure::problem::picture::{frame, picture};
+use crate::figure::picture::{frame, picture};
 use crate::figure::{Entry, Figure, Layer, Meaning, Panel};
 use crate::grid::Grid;
 use crate::image::Image;

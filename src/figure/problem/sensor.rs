@@ -3,8 +3,8 @@
 use crate::error::Result;
 use crate::figure::common::{PIECES, frequency, space, unmarked, values};
 use crate::figure::params::{Param, Params};
-use crate::figure::problem::picture::circles;
-use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
+use crate::figure::picture::circles;
+use crate::figure::{Bar, Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use crate::laws::point_spectra::{PLATEAU, band_power};
 use crate::num::quadrature::{Integral, even_breaks, integrate_pieces};
 use crate::num::sinc;
@@ -75,14 +75,10 @@ fn sensor(params: &Params) -> Result<Figure> {
     };
     let side = REACH as f64 + 0.5;
     let power = |name, title, of: &Periodogram| {
-        Panel::new(name, title, unmarked(-side, side), unmarked(-side, side)).square().with(Layer::raster(
-            "power",
-            (-side, side),
-            (-side, side),
-            of.power().clone(),
-            (0.0, 3.0),
-            Tones::Data,
-        ))
+        Panel::new(name, title, unmarked(-side, side), unmarked(-side, side))
+            .square()
+            .with(Layer::raster("power", (-side, side), (-side, side), of.power().clone(), (0.0, 3.0), Tones::Data))
+            .bar(Bar::values(Text::EMPTY))
     };
     // in cycles per distance of receptors
     let axis = |end: f64| Scale::linear(text!("cycles per receptor", "периодов на рецептор"), 0.0, end);

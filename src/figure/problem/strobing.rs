@@ -25,10 +25,12 @@ const STROBING: Entry = Entry {
     caption: &Text::fixed(
         "A wheel with equal spokes, filmed with 24 frames a second. From frame to frame the blue spoke runs on; the eye \
          takes the nearest one (red) for it. Eight spokes at 2.9 turns a second run on by almost one spoke's distance: the \
-         wheel creeps backwards. A shutter that stays open half of the time blurs the spokes but leaves most of the alias.",
+         wheel creeps backwards. A shutter that stays open half of the time blurs the spokes but leaves most of the alias. (The \
+         animation is slowed down, or the screen would do to the wheel what the camera does.)",
         "Колесо с одинаковыми спицами, 24 кадра в секунду. От кадра к кадру синяя спица уходит вперёд, а глаз принимает за \
          неё ближайшую (красную). Восемь спиц при 2,9 оборота в секунду проходят почти расстояние между спицами, и колесо \
-         ползёт назад. Затвор, открытый половину времени, смазывает спицы, но бо́льшая часть алиаса остаётся.",
+         ползёт назад. Затвор, открытый половину времени, смазывает спицы, но бо́льшая часть алиаса остаётся. (Анимация замедлена, \
+         иначе экран сделал бы с колесом то же, что камера.)",
     ),
     params: &[Param::real("turns", &TURNS, 2.9, 0.3, 6.2, "1/s"), Param::count("spokes", &SPOKES, 8, 3, 12)],
     build: strobing,
@@ -177,7 +179,7 @@ fn strobing(params: &Params) -> Result<Figure> {
             },
             shutter(frequency, OPEN, sinc(frequency * OPEN))?,
         )
-        .moving(motion(turns, spokes, &path), 12))
+        .moving(motion(turns, spokes), RATE as u16))
 }
 
 /// Where the pattern of spokes stands, in distances of spokes, against time.
@@ -234,31 +236,46 @@ fn gains(frequency: f64, alias: Alias) -> Panel {
         )
 }
 
-/// The wheel in slow motion beside what the camera saw last.
-fn motion(turns: f64, spokes: usize, path: &[[f64; 2]]) -> Vec<Figure> {
-    const PARTS: usize = 3;
-    const SEEN: usize = 10;
-    let wheel = |turned: f64| Wheel { middle: [0.0, 0.0], spokes, turned };
-    let panel = |name, title, turned: f64, spoke: (Meaning, f64)| {
-        let wheel = wheel(turned);
+/// How many pieces the time from one frame of the camera to the next is shown in: so many that the wheel itself moves by a
+/// third of the distance of its spokes at most, and is seen as it turns; the animation is that many times slower than the
+/// wheel.
+fn slowness(frequency: f64) -> usize {
+    (3.0 * frequency / RATE).ceil().max(3.0) as usize
+}
+
+/// After how many frames the spokes stand where they stood, or nearest to it: the longest such time that is not too long.
+fn period(frequency: f64, most: usize) -> usize {
+    let off = |frames: usize| {
+        let passed = frequency * frames as f64 / RATE;
+        // to what decides nothing but the last bits
+        ((passed - passed.round()).abs() * 1e6).round() as u32
+    };
+    (1..=most).rev().min_by_key(|frames| off(*frames)).unwrap_or(1)
+}
+
+/// The wheel in slow motion beside what the camera saw last. No spoke is marked: it would not be back when the others are.
+fn motion(turns: f64, spokes: usize) -> Vec<Figure> {
+    const MOST: usize = 90;
+    let frequency = turns * spokes as f64;
+    let slow = slowness(frequency);
+    let panel = |name, title, meaning: Meaning, turned: f64| {
+        let wheel = Wheel { middle: [0.0, 0.0], spokes, turned };
         let scale = || unmarked(-1.2, 1.2);
         Panel::new(name, title, scale(), scale())
             .square()
             .with(Layer::line("start", Meaning::Theory, [[0.0, 1.0], [0.0, 1.2]]).thick())
-            .with(Layer::line("wheel", Meaning::Guide, wheel.outline()).thick())
-            .with(Layer::line("spoke", spoke.0, [[0.0, 0.0], wheel.on(spoke.1, 1.0)]).thick())
+            .with(Layer::line("wheel", meaning, wheel.outline()).thick())
     };
     let frame = |j: usize| {
-        let turned = turns * j as f64 / (PARTS as f64 * RATE);
-        let [at, seen] = path[j / PARTS];
-        let left = text!("the wheel, {} turns/s", "колесо, {} об/с", number(turns, 3));
-        let right = text!("24 frames a second: no. {}", "24 кадра в секунду: № {}", j / PARTS);
-        Figure::new(2).with(panel("wheel", left, turned, (Meaning::Signal, turned))).with(panel(
+        let at = |pieces: usize| turns * pieces as f64 / (slow as f64 * RATE);
+        let left = text!("the wheel, {slow} times slower", "колесо, замедление × {slow}");
+        let right = text!("as 24 frames a second show it", "при 24 кадрах в секунду");
+        Figure::new(2).with(panel("wheel", left, Meaning::Signal, at(j))).with(panel(
             "camera",
             right,
-            at,
-            (Meaning::Leaked, seen),
+            Meaning::Leaked,
+            at(j - j % slow),
         ))
     };
-    (0..PARTS * SEEN).map(frame).collect()
+    (0..slow * period(frequency, (MOST / slow).max(1))).map(frame).collect()
 }

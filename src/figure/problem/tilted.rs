@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::field::polygon::ConvexPolygon;
 use crate::field::{ExactMean, Field};
 use crate::figure::params::{Param, Params};
-use crate::figure::problem::picture::picture;
+use crate::figure::picture::picture;
 use crate::figure::{Entry, Figure};
 use crate::grid::Grid;
 use crate::image::Image;

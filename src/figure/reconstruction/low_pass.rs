@@ -74,6 +74,7 @@ fn cut_out(params: &Params) -> Result<Figure> {
     let tone = Cosine::with_phase(half, phase)?.spectrum().replicated(rate, 1)?.low_passed(half)?;
     let edge_line = tone.lines().iter().find(|l| l.at == half).map_or(Complex::ZERO, |l| l.weight);
     Ok(Figure::new(1)
+        .heights([1.0, 1.15, 1.45])
         .with(
             panel("copies", title("copies: all that the samples know", "копии: всё, что знают отсчёты"), "ΣF(ν − k/T)")
                 .with(density_curve("copies", Meaning::Replica, &copies, -limit, limit).thick())

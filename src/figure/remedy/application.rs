@@ -8,10 +8,10 @@ use crate::field::perspective::{Camera, Perspective};
 use crate::field::star::SiemensStar;
 use crate::field::zone_plate::ZonePlate;
 use crate::field::{ExactMean, Field, from_fn};
-use crate::figure::common::unmarked;
 use crate::figure::params::Param;
+use crate::figure::picture::{circles, picture};
 use crate::figure::remedy::stochastic::SEED;
-use crate::figure::{Entry, Figure, Layer, Panel, Tones};
+use crate::figure::{Entry, Figure, Meaning};
 use crate::grid::Grid;
 use crate::image::Image;
 use crate::kernel::box_kernel::BoxKernel;
@@ -30,17 +30,19 @@ const APPLICATION: Entry = Entry {
     title: &Text::fixed("Where a scene can be filtered first", "Где сцену можно отфильтровать заранее"),
     caption: &Text::fixed(
         "Above one sample a pixel, below what can be done about it. Polygons have an exact area in the pixel, textures a \
-         table of means, formulas a known frequency that can be faded out: in these cases a prefilter exists. For L in \
+         table of means, formulas a known frequency that can be faded out (blue the true centre of the rings, red the false \
+         ones): in these cases a prefilter exists. For L in \
          general, here a ball that mirrors a floor, nothing is known but its values at points: more samples are all there is.",
         "Сверху один отсчёт на пиксель, снизу — что с этим можно сделать. У многоугольников есть точная площадь в пикселе, у \
-         текстур — таблица средних, у формул — известная частота, которую можно погасить: здесь префильтр существует. Для \
+         текстур — таблица средних, у формул — известная частота, которую можно погасить (синий — истинный центр колец, красные \
+         — ложные): здесь префильтр существует. Для \
          L общего вида (зеркальный шар над полом) известны только значения в точках: остаётся брать больше отсчётов.",
     ),
     params: &[Param::count("seed", &SEED, 1, 1, 100)],
     build: |params| application(params.count("seed") as u64),
 };
 
-const SIDE: usize = 96;
+const SIDE: usize = 84;
 /// The period of the rings: their frequency reaches the sampling rate so far from the corner.
 const RINGS: f64 = 48.0;
 /// Below this frequency (in cycles per pixel) rings are kept as they are; at ½ nothing is left of them.
@@ -138,20 +140,23 @@ fn application(seed: u64) -> Result<Figure> {
         text!("faded out", "частоты погашены"),
         text!("16 jittered", "16 с джиттером"),
     ];
-    let side = (0.0, SIDE as f64);
     let mut figure = Figure::new(4);
     let names =
         ["polygon-point", "texture-point", "formula-point", "any-point", "polygon", "texture", "formula", "any"];
     let panels = points.iter().chain(&better).zip(titles.into_iter().chain(below_titles)).zip(names);
+    // where rings seem to be: a period apart, one of them true
+    let ghosts = [[RINGS, 0.0], [0.0, RINGS], [RINGS, RINGS]];
     for ((image, title), name) in panels {
-        figure =
-            figure.with(
-                Panel::new(name, title, unmarked(side.0, side.1), unmarked(side.1, side.0))
-                    .square()
-                    .with(Layer::raster("pixels", side, side, image.pixels().clone(), (0.0, 1.0), Tones::Grey)),
-            );
+        let panel = picture(name, title, image);
+        figure = figure.with(match name {
+            "formula-point" | "formula" => panel
+                .with(circles("ghosts", Meaning::Leaked, 0.2 * RINGS, &ghosts).thick())
+                .with(circles("center", Meaning::Signal, 0.2 * RINGS, &[[0.0, 0.0]]).thick()),
+            _ => panel,
+        });
     }
-    let area = star.mean([0.0, side.1], [0.0, side.1]);
+    let side = SIDE as f64;
+    let area = star.mean([0.0, side], [0.0, side]);
     let beyond = |x: f64, y: f64| x.max(y) >= 0.5 * RINGS;
     let left = from_corner.iter().zip(better[2].values()).filter(|([x, y], _)| beyond(*x, *y));
     let left = left.map(|(_, v)| (v - 0.5).abs()).fold(0.0, f64::max);
@@ -164,7 +169,7 @@ fn application(seed: u64) -> Result<Figure> {
                 number(area, 4)
             ),
             // 24 wedges clipped in each pixel, each to 16ε of the picture's side
-            Residual::near("mean of the exact pixels = area", better[0].mean(), area, 24.0 * 16.0 * f64::EPSILON * side.1),
+            Residual::near("mean of the exact pixels = area", better[0].mean(), area, 24.0 * 16.0 * f64::EPSILON * side),
         )
         .claim(
             text!(

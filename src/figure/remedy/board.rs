@@ -5,16 +5,16 @@ use crate::antialias::supersample::supersample;
 use crate::error::Result;
 use crate::field::checkerboard::Checkerboard;
 use crate::field::{ExactMean, Field};
-use crate::figure::common::unmarked;
-use crate::figure::{Layer, Meaning, Panel, Tones};
+use crate::figure::picture::{frame, part, picture};
+use crate::figure::{Layer, Meaning, Panel};
 use crate::grid::Grid;
 use crate::image::Image;
 use crate::image::dft::forward;
 use crate::kernel::box_kernel::BoxKernel;
+use crate::parallel;
 use crate::pattern::Pattern;
 use crate::pattern::cells::Cells;
 use crate::text::Text;
-use ndarray::Array2;
 use std::ops::Range;
 
 /// The pictures are so many pixels wide and high.
@@ -23,7 +23,9 @@ pub(super) const SIDE: usize = 128;
 const ACROSS: Range<usize> = 0..SIDE;
 /// The columns and rows that are shown: below them there are four squares and no surprise.
 const SHOWN_ACROSS: Range<usize> = 4..SIDE - 4;
-const SHOWN: Range<usize> = 0..SIDE / 2;
+pub(super) const SHOWN: Range<usize> = 0..SIDE / 2;
+/// Those with the most to see, where there is less room.
+pub(super) const UPPER: Range<usize> = 0..48;
 /// The part that is shown enlarged.
 const COLUMNS: Range<usize> = 40..88;
 pub(super) const NEAR_HORIZON: Range<usize> = 0..16;
@@ -52,19 +54,24 @@ impl Board {
         supersample(&self.scene, self.exact.grid(), pattern, &BoxKernel, seed)
     }
 
+    /// By how much every pixel differs from the exact picture.
+    pub(super) fn differences(&self, image: &Image) -> Image {
+        Image::trusted(self.exact.grid(), image.pixels() - self.exact.pixels())
+    }
+
     /// The root mean square difference to the exact picture.
     pub(super) fn error(&self, image: &Image, rows: Range<usize>) -> f64 {
-        let differences = part(&(image.pixels() - self.exact.pixels()), ACROSS, rows);
-        (differences.iter().map(|d| d * d).sum::<f64>() / differences.len() as f64).sqrt()
+        let differences = self.differences(image);
+        let of_rows = &differences.values()[rows.start * SIDE..rows.end * SIDE];
+        (of_rows.iter().map(|d| d * d).sum::<f64>() / of_rows.len() as f64).sqrt()
     }
 
     /// What `cells` jittered samples a pixel are expected to err by.
-    pub(super) fn expected(&self, cells: Cells<2>) -> Expected {
+    pub(super) fn expected(&self, cells: Cells<2>) -> Result<Expected> {
         let [nx, ny] = cells.along();
         let share = 1.0 / cells.total() as f64;
-        let mut variances = Array2::zeros((SIDE, SIDE));
-        let (mut mean, mut scatter) = (0.0, 0.0);
-        for (j, i) in ROWS.flat_map(|j| (0..SIDE).map(move |i| (j, i))) {
+        // the variance of every pixel's sum, and its fourth cumulant
+        let pixel = |i: usize, j: usize| {
             let (mut variance, mut fourth) = (0.0, 0.0);
             for k in 0..cells.total() {
                 let [a, b] = cells.of(k);
@@ -75,12 +82,16 @@ impl Board {
                 variance += own;
                 fourth += own * (1.0 - 6.0 * own);
             }
-            variances[[j, i]] = variance * share * share;
-            mean += variance * share * share;
-            scatter += (2.0 * variance * variance + fourth) * share.powi(4);
-        }
+            [variance, fourth]
+        };
+        let sums = parallel::map(ROWS.len(), |j| (0..SIDE).map(|i| pixel(i, ROWS.start + j)).collect::<Vec<_>>());
+        let mut variances = vec![0.0; ROWS.start * SIDE];
+        variances.extend(sums.iter().flatten().map(|[variance, _]| variance * share * share));
         let pixels = (ROWS.len() * SIDE) as f64;
-        Expected { variances, mean: mean / pixels, deviation: scatter.max(0.0).sqrt() / pixels }
+        let scatter: f64 = sums.iter().flatten().map(|[v, fourth]| (2.0 * v * v + fourth) * share.powi(4)).sum();
+        let variances = Image::new(self.exact.grid(), variances)?;
+        let mean = variances.values().iter().sum::<f64>() / pixels;
+        Ok(Expected { variances, mean, deviation: scatter.max(0.0).sqrt() / pixels })
     }
 }
 
@@ -105,7 +116,7 @@ impl ExactMean for BelowHorizon<'_> {
 /// independent. The mean of `N` has the variance `Σ p(1 − p)/N²`, and its square that of a sum of such.
 pub(super) struct Expected {
     /// Of every pixel; zero in the row at the horizon.
-    pub(super) variances: Array2<f64>,
+    pub(super) variances: Image,
     /// The mean square error of the picture.
     pub(super) mean: f64,
     /// The standard deviation of the mean square error of one picture.
@@ -114,21 +125,21 @@ pub(super) struct Expected {
 
 /// The power spectrum of a picture's error in the rows [`ERRING`], zero frequency in the middle.
 pub(super) fn error_power(board: &Board, image: &Image) -> Result<Image> {
-    let error = image.pixels() - board.exact.pixels();
-    Ok(forward(&Image::trusted(Grid::pixels(SIDE, ERRING.len())?, part(&error, ACROSS, ERRING))).power())
+    Ok(forward(&part(&board.differences(image), ACROSS, ERRING)?).power())
+}
+
+impl Expected {
+    /// The mean of the variances in one row: the power that jitter's error has there at every frequency.
+    pub(super) fn of_row(&self, row: usize) -> f64 {
+        self.variances.row(row).iter().sum::<f64>() / SIDE as f64
+    }
 }
 
 /// The power spectrum of the error along one row, at the positive frequencies below Nyquist.
 pub(super) fn row_power(board: &Board, image: &Image, row: usize) -> Result<Vec<[f64; 2]>> {
-    let error = part(&(image.pixels() - board.exact.pixels()), ACROSS, row..row + 1);
-    let power = forward(&Image::trusted(Grid::pixels(SIDE, 1)?, error)).power();
+    let power = forward(&part(&board.differences(image), ACROSS, row..row + 1)?).power();
     let positive = power.grid().x().iter().zip(power.values()).filter(|(nu, _)| *nu > 0.0);
     Ok(positive.map(|(nu, p)| [nu, *p]).collect())
-}
-
-/// A part of the pixels.
-pub(super) fn part(pixels: &Array2<f64>, columns: Range<usize>, rows: Range<usize>) -> Array2<f64> {
-    Array2::from_shape_fn((rows.len(), columns.len()), |(j, i)| pixels[[rows.start + j, columns.start + i]])
 }
 
 /// The powers of all bins but the mean's.
@@ -137,48 +148,23 @@ pub(super) fn bins(power: &Image) -> Vec<f64> {
     power.values().iter().enumerate().filter(|(k, _)| *k != middle).map(|(_, p)| *p).collect()
 }
 
-/// A part of a picture, as it is seen: the first row on top.
-fn view(name: &'static str, title: Text, image: &Image, columns: Range<usize>, rows: Range<usize>) -> Panel {
-    raster(name, title, &part(image.pixels(), columns.clone(), rows.clone()), columns, rows, ((0.0, 1.0), Tones::Grey))
+/// Some rows of a picture, from side to side.
+pub(super) fn shown(name: &'static str, title: Text, image: &Image, rows: Range<usize>) -> Result<Panel> {
+    Ok(picture(name, title, &across(image, rows)?))
 }
 
-/// Values of all pixels, as many of them as are shown, in tones for the range of the values.
-pub(super) fn map(name: &'static str, title: Text, values: &Array2<f64>, tones: ((f64, f64), Tones)) -> Panel {
-    raster(name, title, &part(values, SHOWN_ACROSS, SHOWN), SHOWN_ACROSS, SHOWN, tones)
-}
-
-fn raster(
-    name: &'static str,
-    title: Text,
-    values: &Array2<f64>,
-    columns: Range<usize>,
-    rows: Range<usize>,
-    (range, tones): ((f64, f64), Tones),
-) -> Panel {
-    let ends = |range: Range<usize>| (range.start as f64, range.end as f64);
-    let (x, y) = (ends(columns), ends(rows));
-    Panel::new(name, title, unmarked(x.0, x.1), unmarked(y.1, y.0)).square().with(Layer::raster(
-        "pixels",
-        x,
-        y,
-        values.clone(),
-        range,
-        tones,
-    ))
-}
-
-/// A picture, as much of it as is shown.
-pub(super) fn whole(name: &'static str, title: Text, image: &Image) -> Panel {
-    view(name, title, image, SHOWN_ACROSS, SHOWN)
+/// Some rows of pixels, as far as they are shown.
+pub(super) fn across(image: &Image, rows: Range<usize>) -> Result<Image> {
+    part(image, SHOWN_ACROSS, rows)
 }
 
 /// The part near the horizon, enlarged.
-pub(super) fn enlarged(name: &'static str, image: &Image) -> Panel {
-    view(name, Text::EMPTY, image, COLUMNS, NEAR_HORIZON)
+pub(super) fn enlarged(name: &'static str, image: &Image) -> Result<Panel> {
+    Ok(picture(name, Text::EMPTY, &part(image, COLUMNS, NEAR_HORIZON)?))
 }
 
 /// The frame of the part that is enlarged.
-pub(super) fn frame() -> Layer {
-    let [x0, x1, y0, y1] = [COLUMNS.start, COLUMNS.end, NEAR_HORIZON.start, NEAR_HORIZON.end].map(|v| v as f64);
-    Layer::line("part", Meaning::Error, [[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]])
+pub(super) fn outline() -> Layer {
+    let [x, y] = [COLUMNS, NEAR_HORIZON].map(|range| [range.start, range.end].map(|v| v as f64));
+    frame("part", Meaning::Error, x, y)
 }

@@ -5,8 +5,9 @@ use crate::error::Result;
 use crate::field::{ExactMean, Field};
 use crate::figure::common::values;
 use crate::figure::params::Param;
-use crate::figure::remedy::board::{Board, NEAR_HORIZON, ROWS, SIDE, enlarged, frame, map, whole};
-use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
+use crate::figure::remedy::board::{Board, NEAR_HORIZON, ROWS, SHOWN, SIDE, UPPER, enlarged, outline, shown};
+use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
+use crate::image::Image;
 use crate::laws::coverage::{area_gain, edges_of_checkerboard, mean_by_counting};
 use crate::num::sinc;
 use crate::pattern::regular::Regular;
@@ -85,15 +86,15 @@ fn uniform(n: usize) -> Result<Figure> {
         1 => text!("1 sample, error {}", "1 отсчёт, ошибка {}", number(error, 3)),
         _ => text!("{0} × {0}, error {1}", "{0} × {0}, ошибка {1}", n, number(error, 3)),
     };
-    let contrast = |image: &crate::image::Image, j: usize| (image.at(MIDDLE, j) - 0.5).abs();
+    let contrast = |image: &Image, j: usize| (image.at(MIDDLE, j) - 0.5).abs();
     let excess = |j: &usize| contrast(&means, *j) - contrast(&board.exact, *j);
     let falsest = ROWS.max_by(|a, b| excess(a).total_cmp(&excess(b))).unwrap_or_default();
     let mut figure = Figure::new(2)
         .heights([1.0, 0.72])
-        .with(whole("point", title(1, one), &point).with(frame()))
-        .with(whole("uniform", title(n, many), &means).with(frame()))
-        .with(enlarged("point-far", &point).with(ghost(1)))
-        .with(enlarged("uniform-far", &means).with(ghost(n)))
+        .with(shown("point", title(1, one), &point, SHOWN)?.with(outline()))
+        .with(shown("uniform", title(n, many), &means, SHOWN)?.with(outline()))
+        .with(enlarged("point-far", &point)?.with(ghost(1)))
+        .with(enlarged("uniform-far", &means)?.with(ghost(n)))
         .claim(
             text!(
                 "root mean square errors to exact area: {} by one sample, {} by {} × {}",
@@ -154,6 +155,9 @@ const AREA: Entry = Entry {
     build: |params| area(params.count("n")),
 };
 
+/// How many samples are counted in a pixel across and down, by brute force.
+const COUNTED: usize = 1500;
+
 /// The mean of the square wave `q(f/y)` of the middle line over `y0..y1`, square by square.
 fn mean_of_squares(y0: f64, y1: f64) -> f64 {
     let focal = 0.5 * SIDE as f64;
@@ -169,15 +173,13 @@ fn area(n: usize) -> Result<Figure> {
     let board = Board::new()?;
     let means = board.sampled(&Regular::new([n, n])?, 0)?;
     let error = board.error(&means, ROWS);
-    let difference = means.pixels() - board.exact.pixels();
     let far_error = board.error(&means, NEAR_HORIZON.start + 1..NEAR_HORIZON.end);
-    let differences = map("difference", text!("difference", "разность"), &difference, ((-0.5, 0.5), Tones::Grey));
 
     // down the middle: what a pixel would be wherever it stood, and what the pixels are
     let end = 20.0;
     let middle = [MIDDLE as f64, MIDDLE as f64 + 1.0];
     let slid = |y: f64| board.scene.mean(middle, [y - 0.5, y + 0.5]);
-    let pixels = |image: &crate::image::Image| -> Vec<[f64; 2]> {
+    let pixels = |image: &Image| -> Vec<[f64; 2]> {
         ROWS.map(|j| [j as f64 + 0.5, image.at(MIDDLE, j)]).filter(|p| p[0] < end).collect()
     };
     let exact_pixels = pixels(&board.exact);
@@ -205,23 +207,22 @@ fn area(n: usize) -> Result<Figure> {
         beyond.max_by(|a, b| (a[1] - 0.5).abs().total_cmp(&(b[1] - 0.5).abs())).copied().unwrap_or([0.5; 2]);
     let counted = [[60.0, 32.0], [3.0, 21.0], [90.0, 12.0], [64.0, 9.0], [127.0, 5.0]].map(|[x, y]| {
         let cell = [[x, x + 1.0], [y, y + 1.0]];
-        mean_by_counting(&board.scene, cell, 300, edges_of_checkerboard(&board.scene, cell), 0.0)
+        mean_by_counting(&board.scene, cell, COUNTED, edges_of_checkerboard(&board.scene, cell), 0.0)
     });
     let counted = counted.into_iter().collect::<Result<Vec<_>>>()?;
     let parts = counted.iter().map(|r| r.measured / r.bound).fold(0.0, f64::max);
     let off = counted.iter().map(|r| r.measured).fold(0.0, f64::max);
-    Ok(Figure::new(3)
-        .heights([1.0, 0.8])
-        .with(whole("exact", text!("exact area", "точная площадь"), &board.exact).with(frame()))
-        .with(whole("uniform", text!("{n} × {n} samples", "отсчёты {n} × {n}"), &means).with(frame()))
-        .with(differences)
-        .with(enlarged("exact-far", &board.exact))
-        .with(enlarged("uniform-far", &means))
-        .with(column)
+    Ok(Figure::new(2)
+        .heights([1.04, 0.76, 0.96])
+        .with(shown("exact", text!("exact area", "точная площадь"), &board.exact, UPPER)?.with(outline()))
+        .with(shown("uniform", text!("{n} × {n} samples", "отсчёты {n} × {n}"), &means, UPPER)?.with(outline()))
+        .with(enlarged("exact-far", &board.exact)?)
+        .with(enlarged("uniform-far", &means)?)
+        .with(column.span(2))
         .claim(
             text!(
-                "brute force, 300 × 300 samples in each of five pixels, agrees to {}",
-                "перебор, 300 × 300 отсчётов в каждом из пяти пикселей, совпадает до {}",
+                "brute force, {COUNTED} × {COUNTED} samples in each of five pixels, agrees to {}",
+                "перебор, {COUNTED} × {COUNTED} отсчётов в каждом из пяти пикселей, совпадает до {}",
                 number(off, 1)
             ),
             Residual::at_most("differences to counted samples, in bounds of counting", parts, 1.0),

@@ -3,18 +3,18 @@
 use crate::error::Result;
 use crate::figure::common::values;
 use crate::figure::params::Param;
-use crate::figure::remedy::board::{Board, FAR, ROWS, SIDE, bins, enlarged, error_power, frame, map, row_power, whole};
+use crate::figure::picture::tones;
+use crate::figure::remedy::board::{Board, FAR, ROWS, SHOWN, SIDE, UPPER, across, enlarged, outline, row_power, shown};
 use crate::figure::remedy::stochastic::{DEVIATIONS, SEED};
-use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
+use crate::figure::{Bar, Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use crate::image::Image;
 use crate::pattern::cells::Cells;
 use crate::pattern::jittered::Jittered;
-use crate::pattern::measure::whiteness::{peak_to_mean, white_peak};
+use crate::pattern::measure::whiteness::white_peak;
 use crate::pattern::regular::Regular;
 use crate::residual::Residual;
 use crate::text;
 use crate::text::{Text, number};
-use ndarray::Array2;
 use std::ops::Range;
 
 /// The figures of this family.
@@ -50,65 +50,61 @@ fn jittered(seed: u64) -> Result<Figure> {
     let board = Board::new()?;
     let jitter = board.sampled(&Jittered::new([N, N])?, seed)?;
     let uniform = board.sampled(&Regular::new([N, N])?, 0)?;
-    let expected = board.expected(Cells::new([N, N])?);
+    let expected = board.expected(Cells::new([N, N])?)?;
     let errors = |rows: Range<usize>| [&jitter, &uniform].map(|image| board.error(image, rows.clone()));
     let ([error, coherent], far) = (errors(ROWS), errors(FAR));
 
-    let shown = 1..21;
-    let theory = expected.variances.rows().into_iter().enumerate().map(|(j, row)| {
-        let mean = row.iter().sum::<f64>() / row.len() as f64;
-        [j as f64 + 0.5, mean.sqrt()]
-    });
+    let drawn = 1..21;
+    let theory = drawn.clone().map(|j| [j as f64 + 0.5, expected.of_row(j).sqrt()]);
     let rows = Panel::new(
         "rows",
         text!("error of each row", "ошибка в каждой строке"),
         Scale::linear(text!("row", "строка"), 0.0, 21.0),
-        values("", 0.0, 0.36),
+        values("", 0.0, 0.24),
     )
     .legend(Legend::Above)
     .with(
-        Layer::line("uniform", Meaning::Leaked, by_rows(&board, &uniform, shown.clone()))
+        Layer::line("uniform", Meaning::Leaked, by_rows(&board, &uniform, drawn.clone()))
             .label(text!("uniform", "равномерно")),
     )
-    .with(Layer::line("theory", Meaning::Theory, theory.skip(1).take(20)).thick().label(text!("theory", "теория")))
-    .with(Layer::dots("jittered", Meaning::Samples, by_rows(&board, &jitter, shown)).label(text!("jitter", "джиттер")));
+    .with(Layer::line("theory", Meaning::Theory, theory).thick().label(text!("theory", "теория")))
+    .with(Layer::dots("jittered", Meaning::Samples, by_rows(&board, &jitter, drawn)).label(text!("jitter", "джиттер")));
 
-    let [of_jitter, of_uniform] = [row_power(&board, &jitter, GHOST)?, row_power(&board, &uniform, GHOST)?];
-    let mean = of_uniform.iter().map(|p| p[1]).sum::<f64>() / of_uniform.len() as f64;
-    let in_means = |powers: &[[f64; 2]]| -> Vec<[f64; 2]> { powers.iter().map(|p| [p[0], p[1] / mean]).collect() };
-    let top = in_means(&of_uniform).iter().map(|p| p[1]).fold(0.0, f64::max);
+    // the power of every row's error, in units of what theory gives to jitter's at every frequency
+    let relative = |image: &Image, row: usize| -> Result<Vec<[f64; 2]>> {
+        let unit = expected.of_row(row);
+        Ok(row_power(&board, image, row)?.into_iter().map(|[nu, power]| [nu, power / unit]).collect())
+    };
+    let highest = |powers: &[[f64; 2]]| powers.iter().map(|p| p[1]).fold(0.0, f64::max);
+    let [of_jitter, of_uniform] = [relative(&jitter, GHOST)?, relative(&uniform, GHOST)?];
+    let peaks = [highest(&of_jitter), highest(&of_uniform)];
     let power = Panel::new(
         "power",
         text!("power of the error in row {GHOST}", "мощность ошибки в строке {GHOST}"),
         Scale::linear(text!("ν, cycles per pixel", "ν, периодов на пиксель"), 0.0, 0.5),
-        values("", 0.0, 1.1 * top),
+        values("", 0.0, 1.1 * peaks[1]),
     )
     .legend(Legend::Above)
-    .with(Layer::stems("uniform", Meaning::Leaked, in_means(&of_uniform)).label(text!("uniform", "равномерно")))
-    .with(Layer::stems("jittered", Meaning::Samples, in_means(&of_jitter)).label(text!("jitter", "джиттер")));
+    .with(Layer::stems("uniform", Meaning::Leaked, of_uniform).label(text!("uniform", "равномерно")))
+    .with(Layer::stems("jittered", Meaning::Samples, of_jitter.iter().copied()).label(text!("jitter", "джиттер")));
 
-    let peak = |powers: &[[f64; 2]]| peak_to_mean(&powers.iter().map(|p| p[1]).collect::<Vec<_>>());
-    let peaks = [peak(&of_jitter)?, peak(&of_uniform)?];
     // the least that would surprise in one of a hundred pictures, and in one of a hundred thousand
     let count = of_jitter.len();
     let (rarely, never) = (white_peak(count, 0.99)?, white_peak(count, 1.0 - 1e-5)?);
-    let all = [&jitter, &uniform].map(|image| error_power(&board, image).map(|power| bins(&power)));
-    let [all_jitter, all_uniform] = all;
-    let (all_jitter, all_uniform) = (all_jitter?, peak_to_mean(&all_uniform?)?);
-    let independent = all_jitter.len() / 2;
-    Ok(Figure::new(3)
-        .heights([1.0, 0.8])
-        .with(
-            whole("jittered", text!("jittered: {}", "с джиттером: {}", number(error, 3)), &jitter)
-                .with(frame()),
-        )
-        .with(
-            whole("uniform", text!("uniform: {}", "равномерно: {}", number(coherent, 3)), &uniform)
-                .with(frame()),
-        )
+    // near the horizon every row has hundreds of cells with squares in them: their sum is as good as normal
+    let over_far = |image: &Image| -> Result<f64> {
+        let peaks = FAR.map(|row| Ok(highest(&relative(image, row)?))).collect::<Result<Vec<_>>>()?;
+        Ok(peaks.into_iter().fold(0.0, f64::max))
+    };
+    let [far_jitter, far_uniform] = [over_far(&jitter)?, over_far(&uniform)?];
+    let (many, level) = (count * FAR.len(), white_peak(count * FAR.len(), 1.0 - 1e-5)?);
+    Ok(Figure::new(2)
+        .heights([1.04, 0.76, 0.96])
+        .with(shown("jittered", text!("jittered: {}", "с джиттером: {}", number(error, 3)), &jitter, UPPER)?.with(outline()))
+        .with(shown("uniform", text!("uniform: {}", "равномерно: {}", number(coherent, 3)), &uniform, UPPER)?.with(outline()))
+        .with(enlarged("jittered-far", &jitter)?)
+        .with(enlarged("uniform-far", &uniform)?)
         .with(rows)
-        .with(enlarged("jittered-far", &jitter))
-        .with(enlarged("uniform-far", &uniform))
         .with(power)
         .claim(
             text!(
@@ -136,12 +132,12 @@ fn jittered(seed: u64) -> Result<Figure> {
         )
         .claim(
             text!(
-                "row {GHOST}: the error of uniform samples has a line {} times the mean; noise would stay below {} in 99 of 100 rows",
-                "строка {GHOST}: в ошибке равномерных отсчётов есть линия, {} средних; шум в 99 строках из 100 не выше {}",
+                "row {GHOST}: the error of uniform samples has a line {} times the noise of jitter, which stays below {} in 99 rows of 100",
+                "строка {GHOST}: в ошибке равномерных отсчётов есть линия в {} раза мощнее шума джиттера, а он в 99 строках из 100 не выше {}",
                 number(peaks[1], 3),
                 number(rarely, 3)
             ),
-            Residual::at_least("peak of the error's power in the ghost's row, in means", peaks[1], rarely),
+            Residual::at_least("peak of the error's power in the ghost's row, in means of noise", peaks[1], rarely),
         )
         .claim(
             text!(
@@ -153,17 +149,20 @@ fn jittered(seed: u64) -> Result<Figure> {
         )
         .claim(
             text!(
-                "rows 1–24 together: {} means with jitter, where ln {independent} = {}; without {}: so many rows blur the line",
-                "строки 1–24 вместе: {} средних с джиттером при ln {independent} = {}; без него {}: столько строк размывают линию",
-                number(peak_to_mean(&all_jitter)?, 2),
-                number((independent as f64).ln(), 2),
-                number(all_uniform, 2)
+                "rows 1–10: of {many} powers the highest is {} means with jitter; noise exceeds {} once in 10^{{5}} pictures",
+                "строки 1–10: высшая из {many} мощностей с джиттером — {} средних; шум выше {} бывает раз на 10^{{5}} картинок",
+                number(far_jitter, 2),
+                number(level, 3)
             ),
-            Residual::at_most(
-                "peak of the noise in 24 rows, in means",
-                peak_to_mean(&all_jitter)?,
-                white_peak(independent, 1.0 - 1e-5)?,
+            Residual::at_most("peak of jitter's error near the horizon, in means of noise", far_jitter, level),
+        )
+        .claim(
+            text!(
+                "without jitter it is {}: no noise, but a false picture",
+                "без джиттера — {}: это не шум, а ложный узор",
+                number(far_uniform, 3)
             ),
+            Residual::at_least("peak of the uniform error near the horizon, in means of noise", far_uniform, level),
         ))
 }
 
@@ -173,10 +172,10 @@ const MAP: Entry = Entry {
     errata: &["E11"],
     title: &Text::fixed("Where the error is", "Где ошибка"),
     caption: &Text::fixed(
-        "The mean square error of every pixel with sixteen samples, dark below 10^{−5}, yellow from 0.1 on. Independent samples err wherever \
+        "The mean square error of every pixel with sixteen samples. Independent samples err wherever \
          there is an edge, by p(1 − p)/16; jittered ones never more than that, and far less where an edge crosses only a \
          few cells. Uniform samples have no noise: their error is always the same, and strongest in the ghosts.",
-        "Средний квадрат ошибки каждого пикселя при шестнадцати отсчётах: тёмное — меньше 10^{−5}, жёлтое — от 0,1. Независимые отсчёты ошибаются \
+        "Средний квадрат ошибки каждого пикселя при шестнадцати отсчётах. Независимые отсчёты ошибаются \
          везде, где есть край, на p(1 − p)/16; отсчёты с джиттером — никогда не больше, и намного меньше там, где край \
          задевает лишь часть ячеек. У равномерных шума нет: ошибка всегда одна и та же, сильнее всего — в ложных узорах.",
     ),
@@ -187,41 +186,39 @@ const MAP: Entry = Entry {
 /// The least error that has a tone of its own, as a power of ten.
 const FLOOR: f64 = -5.0;
 
-fn powers_of_ten(name: &'static str, title: Text, errors: &Array2<f64>) -> Panel {
-    let powers = errors.mapv(|e| e.max(10f64.powf(FLOOR)).log10());
-    map(name, title, &powers, ((FLOOR, -1.0), Tones::Data))
+fn powers_of_ten(name: &'static str, title: Text, errors: &Image) -> Result<Panel> {
+    let powers = errors.map(|e| e.max(10f64.powf(FLOOR)).log10());
+    Ok(tones(name, title, &across(&powers, SHOWN)?, (FLOOR, -1.0), Tones::Data).bar(Bar::powers_of_ten(Text::EMPTY)))
 }
 
 fn error_map(seed: u64) -> Result<Figure> {
     const PICTURES: u64 = 8;
     let board = Board::new()?;
-    let independent = board.expected(Cells::new([1, 1])?);
-    let random = independent.variances.mapv(|v| v / (N * N) as f64);
-    let jitter = board.expected(Cells::new([N, N])?);
+    let independent = board.expected(Cells::new([1, 1])?)?;
+    let random = independent.variances.map(|v| v / (N * N) as f64);
+    let jitter = board.expected(Cells::new([N, N])?)?;
     let uniform = board.sampled(&Regular::new([N, N])?, 0)?;
-    let mut squares = (uniform.pixels() - board.exact.pixels()).mapv(|d| d * d);
-    squares.row_mut(0).fill(0.0);
+    let squares = board.differences(&uniform).map(|d| d * d);
     let samples = Jittered::new([N, N])?;
-    let mut seen = Array2::<f64>::zeros(squares.dim());
+    let mut seen = squares.map(|_| 0.0);
     for k in 0..PICTURES {
-        let error = board.sampled(&samples, seed + 1000 * k)?.pixels() - board.exact.pixels();
-        seen.zip_mut_with(&error, |sum, e| *sum += e * e / PICTURES as f64);
+        let error = board.differences(&board.sampled(&samples, seed + 1000 * k)?);
+        seen = seen.with(&error, |sum, e| sum + e * e / PICTURES as f64)?;
     }
-    seen.row_mut(0).fill(0.0);
-    let measured = seen.sum() / (ROWS.len() * SIDE) as f64;
-    let worse = jitter.variances.iter().zip(&random).map(|(j, r)| j - r).fold(0.0, f64::max);
+    let measured = seen.values()[ROWS.start * SIDE..].iter().sum::<f64>() / (ROWS.len() * SIDE) as f64;
+    let worse = jitter.variances.values().iter().zip(random.values()).map(|(j, r)| j - r).fold(0.0, f64::max);
     let errors = [independent.mean.sqrt() / N as f64, jitter.mean.sqrt(), board.error(&uniform, ROWS)];
     let shown = errors.map(|error| number(error, 3));
     let [of_random, of_jitter, of_uniform] = &shown;
     Ok(Figure::new(2)
-        .with(powers_of_ten("random", text!("independent: {of_random}", "независимые: {of_random}"), &random))
-        .with(powers_of_ten("jittered", text!("jittered: {of_jitter}", "с джиттером: {of_jitter}"), &jitter.variances))
-        .with(powers_of_ten("uniform", text!("uniform: {of_uniform}", "равномерные: {of_uniform}"), &squares))
+        .with(powers_of_ten("random", text!("independent: {of_random}", "независимые: {of_random}"), &random)?)
+        .with(powers_of_ten("jittered", text!("jittered: {of_jitter}", "с джиттером: {of_jitter}"), &jitter.variances)?)
+        .with(powers_of_ten("uniform", text!("uniform: {of_uniform}", "равномерные: {of_uniform}"), &squares)?)
         .with(powers_of_ten(
             "measured",
             text!("{PICTURES} jittered pictures", "{PICTURES} картинок с джиттером"),
             &seen,
-        ))
+        )?)
         .claim(
             text!(
                 "in no pixel do jittered samples err more than independent ones",

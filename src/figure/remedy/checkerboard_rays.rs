@@ -4,7 +4,10 @@
 use crate::error::Result;
 use crate::figure::common::unmarked;
 use crate::figure::params::Param;
-use crate::figure::remedy::board::{Board, ERRING, ROWS, SIDE, bins, enlarged, error_power, frame, map, whole};
+use crate::figure::picture::grey;
+use crate::figure::remedy::board::{
+    Board, ERRING, ROWS, SHOWN, SIDE, UPPER, across, bins, enlarged, error_power, outline, shown,
+};
 use crate::figure::remedy::stochastic::{DEVIATIONS, SEED};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale, Tones};
 use crate::image::Image;
@@ -54,12 +57,11 @@ fn reference(seed: u64) -> Result<Figure> {
     for n in [1, 2, 4, 8] {
         regular.push([(n * n) as f64, board.error(&board.sampled(&Regular::new([n, n])?, 0)?, ROWS)]);
     }
-    let expected = [1, 2, 4].map(|n| Cells::new([n, n]).map(|cells| board.expected(cells)));
-    let [one, _, sixteen] = expected;
-    let (one, sixteen) = (one?, sixteen?);
+    let expected = |n: usize| board.expected(Cells::new([n, n])?);
+    let (one, sixteen, many) = (expected(1)?, expected(4)?, expected(16)?);
     let error = board.error(&image, ROWS);
-    let scale = 16.0;
-    let difference = (image.pixels() - board.exact.pixels()).mapv(|d| scale * d);
+    let difference = across(&board.differences(&image), UPPER)?;
+    let sixteenth = 1.0 / 16.0;
     let slope = |from: f64, power: f64| {
         let sigma = from.sqrt();
         (0..=4).map(move |k| 4f64.powi(k)).map(move |n| [n, sigma * n.powf(-power)])
@@ -78,20 +80,24 @@ fn reference(seed: u64) -> Result<Figure> {
     .with(Layer::dots("regular", Meaning::Leaked, regular).label(text!("regular", "регулярно")))
     .with(Layer::line("jitter-line", Meaning::Samples, jitter.iter().copied()).thin())
     .with(Layer::dots("jitter", Meaning::Samples, jitter.iter().copied()).label(text!("jitter", "джиттер")));
-    // 256 cells refine 16 cells: no pixel's variance is more than a 16th of theirs (stratification never hurts)
-    let most = sixteen.mean / 16.0 + DEVIATIONS * sixteen.deviation / 16.0;
     Ok(Figure::new(2)
-        .heights([0.8, 1.0])
-        .with(whole("reference", text!("256 rays", "256 лучей"), &image))
-        .with(map("difference", text!("difference × 16", "разность × 16"), &difference, ((-1.0, 1.0), Tones::Grey)))
+        .heights([0.85, 1.0])
+        .with(shown("reference", text!("256 rays", "256 лучей"), &image, UPPER)?)
+        .with(grey("difference", text!("difference × 16", "разность × 16"), &difference, (-sixteenth, sixteenth)))
         .with(rates.span(2))
         .claim(
             text!(
-                "256 rays are within {} (root mean square) of exact area",
-                "256 лучей отличаются от точной площади на {} (среднеквадратично)",
-                number(error, 2)
+                "256 rays are within {} (root mean square) of exact area, expected {}",
+                "256 лучей отличаются от точной площади на {} (среднеквадратично), ожидается {}",
+                number(error, 3),
+                number(many.mean.sqrt(), 3)
             ),
-            Residual::at_most("mean square error ≤ 1/16 of that of 16 rays", error * error, most),
+            Residual::near(
+                "mean square error of 256 jittered rays",
+                error * error,
+                many.mean,
+                DEVIATIONS * many.deviation,
+            ),
         )
         .claim(
             text!(
@@ -150,7 +156,7 @@ fn one_ray(seed: u64) -> Result<Figure> {
     let regular = board.sampled(&Regular::new([1, 1])?, 0)?;
     let images = [regular, board.sampled(&one, seed)?, board.sampled(&four, seed)?];
     let errors = images.each_ref().map(|image| board.error(image, ROWS));
-    let expected = [board.expected(Cells::new([1, 1])?), board.expected(Cells::new([2, 2])?)];
+    let expected = [board.expected(Cells::new([1, 1])?)?, board.expected(Cells::new([2, 2])?)?];
     let four_regular = board.error(&board.sampled(&Regular::new([2, 2])?, 0)?, ROWS);
     let peak = |image: &Image| peak_to_mean(&bins(&error_power(&board, image)?));
     let others = (0..PICTURES).map(|k| peak(&board.sampled(&one, seed + 1000 * k)?)).collect::<Result<Vec<_>>>()?;
@@ -160,13 +166,13 @@ fn one_ray(seed: u64) -> Result<Figure> {
         text!("1, jittered", "1, с джиттером"),
         text!("4, jittered", "4, с джиттером"),
     ];
-    let mut figure = Figure::new(3).heights([1.0, 0.8, 0.9]);
+    let mut figure = Figure::new(3).heights([1.05, 0.63, 1.0]);
     for (((image, name), id), error) in images.iter().zip(&names).zip(["regular", "one", "four"]).zip(errors) {
         let [en, ru] = Lang::ALL.map(|lang| format!("{}: {}", name.get(lang), number(error, 3)));
-        figure = figure.with(whole(id, text!("{en}", "{ru}"), image).with(frame()));
+        figure = figure.with(shown(id, text!("{en}", "{ru}"), image, SHOWN)?.with(outline()));
     }
     for (image, id) in images.iter().zip(["regular-far", "one-far", "four-far"]) {
-        figure = figure.with(enlarged(id, image));
+        figure = figure.with(enlarged(id, image)?);
     }
     let mut peaks = Vec::new();
     for (image, id) in images.iter().zip(["regular-power", "one-power", "four-power"]) {
@@ -176,7 +182,7 @@ fn one_ray(seed: u64) -> Result<Figure> {
         let top = peak_to_mean(&others)?;
         peaks.push(top);
         let title = text!("peak: {} means", "пик: {} средних", number(top, 3));
-        let ticks = [-0.5, 0.0, 0.5].map(|v| (v, text!("{v}", "{v}")));
+        let ticks = [-0.25, 0.0, 0.25].map(|v| (v, text!("{v}", "{v}")));
         let across = Scale::linear(text!("ν across", "ν по горизонтали"), -0.5, 0.5).ticks(ticks);
         let panel = Panel::new(id, title, across, unmarked(-0.5, 0.5));
         let mut relative = power.pixels().mapv(|p| p / mean);

@@ -7,6 +7,7 @@ use crate::field::flat::Flat;
 use crate::field::star::SiemensStar;
 use crate::figure::common::unmarked;
 use crate::figure::params::{Param, Params};
+use crate::figure::picture::{frame, picture};
 use crate::figure::{Entry, Figure, Layer, Meaning, Panel, Tones};
 use crate::grid::Grid;
 use crate::image::Image;
@@ -29,10 +30,9 @@ const PIXEL: Entry = Entry {
     errata: &[],
     title: &Text::fixed("A grid of samples makes one pixel", "Из сетки отсчётов — один пиксель"),
     caption: &Text::fixed(
-        "Pixel = Σ w_{s}·Sample_{s}: the samples of one pixel (the framed one in the third panel), their weights, and the \
-         picture. The slide does not say that the weights must add up to one: where they do not, every constant changes \
+        "Pixel = Σ w_{s}·Sample_{s}: the samples of one pixel (framed on the right), their weights, and the picture. The slide does not say that the weights must add up to one: where they do not, every constant changes \
          its brightness, and with it the picture.",
-        "Пиксель = Σ w_{s}·Отсчёт_{s}: отсчёты одного пикселя (на третьей панели он в рамке), их веса и картинка. На слайде не \
+        "Пиксель = Σ w_{s}·Отсчёт_{s}: отсчёты одного пикселя (справа он в рамке), их веса и картинка. На слайде не \
          сказано, что сумма весов должна быть равна единице: иначе меняется яркость любой константы, а с ней и всей картинки.",
     ),
     params: &[
@@ -43,16 +43,17 @@ const PIXEL: Entry = Entry {
     build: |params| pixel(params),
 };
 
-const SIDE: usize = 48;
+/// Pixels across and down.
+const SIZE: [usize; 2] = [72, 36];
 /// The pixel that is looked into.
-const CHOSEN: [usize; 2] = [32, 12];
+const CHOSEN: [usize; 2] = [44, 6];
 /// How far around it is shown, in pixels.
 const MARGIN: f64 = 0.25;
 
 fn pixel(params: &Params) -> Result<Figure> {
     let (n, kernel, sum) = (params.count("n"), by_name(params.choice("w"))?, params.real("sum"));
-    let scene = SiemensStar::new([0.5 * SIDE as f64, 0.5 * SIDE as f64], 12)?;
-    let grid = Grid::pixels(SIDE, SIDE)?;
+    let scene = SiemensStar::new(SIZE.map(|n| 0.5 * n as f64), 12)?;
+    let grid = Grid::pixels(SIZE[0], SIZE[1])?;
     let place = |k: usize| (k as f64 + 0.5) / n as f64;
     // the whole kernel within the pixel
     let along: Vec<f64> = (0..n).map(|k| kernel.at(2.0 * kernel.radius() * (place(k) - 0.5))).collect();
@@ -65,15 +66,15 @@ fn pixel(params: &Params) -> Result<Figure> {
 
     let [[x0, x1], [y0, y1]] = grid.cell(CHOSEN[0] as i64, CHOSEN[1] as i64);
     let (x, y) = ((x0 - MARGIN, x1 + MARGIN), (y0 - MARGIN, y1 + MARGIN));
-    const FINE: usize = 180;
+    const FINE: usize = 162;
     let seen = Image::of(&scene, Grid::cells(x.0..x.1, FINE, y.0..y.1, FINE)?);
     let places: Vec<[f64; 2]> = taps.iter().map(|t| [x0 + t.at[0], y0 + t.at[1]]).collect();
-    let outline = || Layer::line("pixel", Meaning::Error, [[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]]);
-    let samples = Panel::new("samples", text!("samples", "отсчёты"), unmarked(x.0, x.1), unmarked(y.1, y.0))
-        .square()
-        .with(Layer::raster("scene", x, y, seen.pixels().clone(), (0.0, 1.0), Tones::Grey))
-        .with(outline())
-        .with(Layer::dots("samples", Meaning::Samples, places.iter().copied()));
+    let outline = || frame("pixel", Meaning::Error, [x0, x1], [y0, y1]);
+    let samples = picture("samples", text!("samples", "отсчёты"), &seen).with(outline()).with(Layer::dots(
+        "samples",
+        Meaning::Samples,
+        places.iter().copied(),
+    ));
     let cells = Array2::from_shape_fn((n, n), |(j, i)| weight(i, j));
     let most = cells.iter().copied().fold(0.0, f64::max);
     let side = (0.0, n as f64);
@@ -88,17 +89,6 @@ fn pixel(params: &Params) -> Result<Figure> {
         };
         weights = weights.with(Layer::notes("values", Meaning::Kernel, cells.indexed_iter().map(says)));
     }
-    let all = (0.0, SIDE as f64);
-    let picture = |name, title, image: &Image| {
-        Panel::new(name, title, unmarked(0.0, all.1), unmarked(all.1, 0.0)).square().with(Layer::raster(
-            "pixels",
-            all,
-            all,
-            image.pixels().clone(),
-            (0.0, 1.0),
-            Tones::Grey,
-        ))
-    };
 
     // a sum of n² products, each rounded
     let rounding = 4.0 * f64::EPSILON * (n * n) as f64;
@@ -106,11 +96,11 @@ fn pixel(params: &Params) -> Result<Figure> {
     let constant = weighted(&Flat::new(0.7)?, Grid::pixels(1, 1)?, &taps)?.at(0, 0);
     let dimmed: Vec<Tap> = taps.iter().map(|t| Tap { weight: sum * t.weight, ..*t }).collect();
     let refused = weighted(&scene, grid, &dimmed).is_err() == ((sum - 1.0).abs() > rounding);
-    Ok(Figure::new(4)
+    Ok(Figure::new(3)
         .with(samples)
+        .with(picture("one", text!("Σw = 1", "Σw = 1"), &image).with(outline()).span(2))
         .with(weights)
-        .with(picture("one", text!("Σw = 1", "Σw = 1"), &image).with(outline()))
-        .with(picture("other", text!("Σw = {}", "Σw = {}", number(sum, 3)), &changed))
+        .with(picture("other", text!("Σw = {}", "Σw = {}", number(sum, 3)), &changed).span(2))
         .claim(
             text!(
                 "the framed pixel is Σ w·sample = {} of the {} samples on the left",
@@ -130,7 +120,7 @@ fn pixel(params: &Params) -> Result<Figure> {
                 "Σw = {0}: любая яркость умножается на {0}",
                 number(sum, 3)
             ),
-            Residual::near("mean of the picture", changed.mean() / image.mean(), sum, rounding * (SIDE * SIDE) as f64),
+            Residual::near("mean of the picture", changed.mean() / image.mean(), sum, rounding * grid.len() as f64),
         )
         .claim(
             text!(

@@ -3,8 +3,9 @@
 use crate::axis::Edge;
 use crate::error::Result;
 use crate::figure::params::{Param, Params};
-use crate::figure::synthesis::rendered::{sampled, shown};
-use crate::figure::{Entry, Figure, Panel};
+use crate::figure::picture::{grey, tones};
+use crate::figure::synthesis::rendered::sampled;
+use crate::figure::{Entry, Figure, Panel, Tones};
 use crate::image::Image;
 use crate::image::dft::forward;
 use crate::image::resize::resize;
@@ -46,9 +47,11 @@ const CAMERA: Entry = Entry {
 };
 
 /// Pixels of the fine pictures, in a row and rows.
-const SIZE: usize = 96;
+const SIZE: usize = 84;
+/// The darkest tone of a spectrum, in decibels.
+const FLOOR: f64 = -80.0;
 /// Fine pixels in a pixel of the sensor, across and down.
-const COARSE: usize = 6;
+const COARSE: usize = 4;
 
 /// A still sphere in focus, one far behind, and one that passes in front.
 fn scene(aperture: f64) -> Result<World> {
@@ -103,15 +106,17 @@ fn camera(params: &Params) -> Result<Figure> {
     let sensor = resize(&shutter, coarse, coarse, &BoxKernel, Edge::Clamp)?;
 
     let steps = [&radiance, &lens, &shutter].map(sharpness);
-    let tones = (0.0, 0.9);
+    let range = (0.0, 0.9);
     let spectrum = |name, picture: &Image| -> Result<Panel> {
-        Ok(shown(name, text!("its spectrum", "спектр"), &forward(picture).log_magnitude(-80.0)?, (0.0, 1.0)))
+        let decibels = forward(picture).log_magnitude(FLOOR)?.map(|v| (FLOOR * (1.0 - v)).round());
+        let title = text!("spectrum, {FLOOR} to 0 dB", "спектр, от {FLOOR} до 0 дБ");
+        Ok(tones(name, title, &decibels, (FLOOR, 0.0), Tones::Data))
     };
     Ok(Figure::new(4)
-        .with(shown("radiance", text!("radiance", "яркость сцены"), &radiance, tones))
-        .with(shown("lens", text!("through the lens", "через линзу"), &lens, tones))
-        .with(shown("shutter", text!("and the shutter", "и затвор"), &shutter, tones))
-        .with(shown("sensor", text!("on the sensor", "на сенсоре"), &sensor, tones))
+        .with(grey("radiance", text!("radiance", "яркость сцены"), &radiance, range))
+        .with(grey("lens", text!("through the lens", "через линзу"), &lens, range))
+        .with(grey("shutter", text!("and the shutter", "и затвор"), &shutter, range))
+        .with(grey("sensor", text!("on the sensor", "на сенсоре"), &sensor, range))
         .with(spectrum("radiance-spectrum", &radiance)?)
         .with(spectrum("lens-spectrum", &lens)?)
         .with(spectrum("shutter-spectrum", &shutter)?)

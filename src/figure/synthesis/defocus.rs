@@ -2,8 +2,9 @@
 
 use crate::error::Result;
 use crate::figure::params::{Param, Params};
-use crate::figure::synthesis::rendered::{Measured, reference, sampled, shown, squared_error};
-use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
+use crate::figure::picture::{colors, grey};
+use crate::figure::synthesis::rendered::{Measured, Repeated, colored, sampled, squared_error};
+use crate::figure::{Bar, Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::image::Image;
 use crate::laws::jitter::deviations;
 use crate::pattern::Pattern;
@@ -60,6 +61,19 @@ fn ratio(a: Measured, b: Measured) -> Measured {
     Measured { mean, error: mean * (a.error / a.mean).hypot(b.error / b.mean) }
 }
 
+/// The mean over all pixels of how much a picture varies within one: of a slope `g` over a pixel's width `g²/12`, along
+/// each axis. Of the variance of `N` rays, strata of the image remove the share `1 − 1/N` of it (V17), and leave the rest,
+/// which is the lens'.
+fn across_pixels(picture: &Image) -> f64 {
+    let (n, at) = (SIZE - 2, |i: usize, j: usize| picture.at(i, j));
+    let inner = (1..=n).flat_map(|j| (1..=n).map(move |i| (i, j)));
+    let slope = |(i, j): (usize, usize)| {
+        let [across, down] = [0.5 * (at(i + 1, j) - at(i - 1, j)), 0.5 * (at(i, j + 1) - at(i, j - 1))];
+        (across * across + down * down) / 12.0
+    };
+    inner.map(slope).sum::<f64>() / (n * n) as f64
+}
+
 /// The mean of several pictures of different seeds.
 fn averaged(pictures: impl Iterator<Item = Result<Image>>) -> Result<Image> {
     let mut sum: Option<Image> = None;
@@ -78,7 +92,8 @@ fn defocus(params: &Params) -> Result<Figure> {
     let world = scene()?;
     let camera = world.camera().with_lens(aperture, world.camera().lens().focus())?;
     let world = world.seen_by(camera);
-    let truth = reference(&world, SIZE, &Padded::with_count(MANY)?)?;
+    let seen = colored(&world, SIZE, &Repeated::new(&Padded::with_count(MANY)?), 0)?;
+    let truth = seen.luminance();
     let render = |way: Way, count: usize, seed: u64| sampled(&world, SIZE, &way(count)?, seed);
 
     let ways: [(&str, Way, Meaning, Text); 3] = [
@@ -95,15 +110,10 @@ fn defocus(params: &Params) -> Result<Figure> {
         Scale::log(text!("mean squared error", "средний квадрат ошибки"), 3e-7, 3e-3),
     )
     .legend(Legend::LowerLeft);
-    let mut pictures = Vec::new();
     for (name, way, meaning, label) in ways {
         let mut measured = Vec::new();
         for count in COUNTS {
-            let picture = render(way, count, seed)?;
-            measured.push(squared_error(&picture, &truth)?);
-            if count == 16 {
-                pictures.push(picture);
-            }
+            measured.push(squared_error(&render(way, count, seed)?, &truth)?);
         }
         let points: Vec<[f64; 2]> = COUNTS.iter().zip(&measured).map(|(n, m)| [*n as f64, m.mean]).collect();
         let line = Layer::line(name, meaning, points.clone()).label(label);
@@ -112,9 +122,8 @@ fn defocus(params: &Params) -> Result<Figure> {
             .with(Layer::dots("measured", meaning, points));
         errors.push(measured);
     }
-    let [random, image, stratified] = [0, 1, 2].map(|i| &errors[i]);
+    let [random, stratified] = [0, 2].map(|i| &errors[i]);
     let gains = [0, 1, 2].map(|i| ratio(random[i], stratified[i]));
-    let nothing = ratio(image[1], random[1]);
 
     // many pictures of other seeds: noise averages out, what is tied together does not
     let seeds = || (1..=PICTURES).map(|i| seed + 1000 * i);
@@ -126,29 +135,41 @@ fn defocus(params: &Params) -> Result<Figure> {
     let (left_shuffled, left_in_order) = (left(&shuffled, STRATIFIED)?, left(&in_order, IN_ORDER)?);
     let error_of = |mean: &Image| mean.with(&truth, |a, b| a - b);
     let worst = 0.02;
+    let shown = |way: Way| colored(&world, SIZE, &way(16)?, seed);
 
-    let tones = (0.0, 0.7);
-    let [random_16, _, stratified_16] = [0, 1, 2].map(|i| &pictures[i]);
+    // strata of the image alone: the squared error over many pictures, and what theory says that they gain
+    let over = |way: Way| -> Result<Measured> {
+        let each = seeds().map(|seed| squared_error(&render(way, 16, seed)?, &truth)).collect::<Result<Vec<_>>>()?;
+        let sum = |of: &dyn Fn(&Measured) -> f64| each.iter().map(of).sum::<f64>() / PICTURES as f64;
+        Ok(Measured { mean: sum(&|m| m.mean), error: (sum(&|m| m.error * m.error) / PICTURES as f64).sqrt() })
+    };
+    let (many_random, many_image) = (over(RANDOM)?, over(IMAGE)?);
+    let nothing = ratio(many_image, many_random);
+    let gained = across_pixels(&truth) * (1.0 - 1.0 / 16.0) / (16.0 * many_random.mean);
+
     let confusion = camera.circle_of_confusion(4.0) * SIZE as f64;
     let expected = 1.0 / PICTURES as f64;
     let z = deviations(4);
     Ok(Figure::new(3)
-        .with(shown("reference", text!("{MANY} rays a pixel", "{MANY} лучей на пиксель"), &truth, tones))
-        .with(shown("random", text!("16 at random", "16 случайных"), random_16, tones))
-        .with(shown("stratified", text!("16 in strata", "16 по стратам"), stratified_16, tones))
+        .with(colors("reference", text!("{MANY} rays a pixel", "{MANY} лучей на пиксель"), &seen))
+        .with(colors("random", text!("16 at random", "16 случайных"), &shown(RANDOM)?))
+        .with(colors("stratified", text!("16 in strata", "16 по стратам"), &shown(STRATIFIED)?))
         .with(plot)
-        .with(shown(
+        .with(grey(
             "in-order",
             text!("mean error, not shuffled", "ошибка без перемешивания"),
             &error_of(&in_order)?,
             (-worst, worst),
         ))
-        .with(shown(
-            "shuffled",
-            text!("mean error, shuffled", "ошибка с перемешиванием"),
-            &error_of(&shuffled)?,
-            (-worst, worst),
-        ))
+        .with(
+            grey(
+                "shuffled",
+                text!("mean error, shuffled", "ошибка с перемешиванием"),
+                &error_of(&shuffled)?,
+                (-worst, worst),
+            )
+            .bar(Bar::values(Text::EMPTY)),
+        )
         .claim(
             text!(
                 "the circle of confusion is {} pixels",
@@ -181,12 +202,12 @@ fn defocus(params: &Params) -> Result<Figure> {
         )
         .claim(
             text!(
-                "strata of the image alone gain nothing: {} of the error of random rays",
-                "страты одного изображения не дают ничего: {} от ошибки случайных лучей",
-                number(nothing.mean, 2)
+                "strata of the image alone leave {} of the squared error of random rays; theory says {}",
+                "страты одного изображения оставляют {} квадрата ошибки случайных лучей; теория — {}",
+                number(nothing.mean, 3),
+                number(1.0 - gained, 3)
             ),
-            // a pixel's width moves the rays by the share 1/c of the lens: so much of the spread at most is the pixel's
-            Residual::near("strata of the image / random", nothing.mean, 1.0, z * nothing.error + 1.0 / confusion),
+            Residual::near("strata of the image / random", nothing.mean, 1.0 - gained, z * nothing.error),
         )
         .claim(
             text!(

@@ -2,7 +2,8 @@
 
 use crate::error::Result;
 use crate::figure::params::{Param, Params};
-use crate::figure::synthesis::rendered::{sampled, shown, squared_error};
+use crate::figure::picture::grey;
+use crate::figure::synthesis::rendered::{sampled, squared_error};
 use crate::figure::{Entry, Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::laws::hold::{shutter, uniform_transfer};
 use crate::laws::jitter::deviations;
@@ -42,6 +43,8 @@ const MOTION: Entry = Entry {
     build: |params| motion(params),
 };
 
+/// What is shown black, and what white: darker and brighter than all but the ball's highlight.
+const RANGE: (f64, f64) = (0.08, 0.7);
 /// Pixels in a row and rows.
 const SIZE: usize = 64;
 /// Patterns over which the strata are averaged.
@@ -120,11 +123,11 @@ fn motion(params: &Params) -> Result<Figure> {
     let [of_moments, of_strata] = [squared_error(&strobed, &blurred)?, squared_error(&strata, &blurred)?];
     Ok(Figure::new(3)
         .heights([1.0, 1.12])
-        .with(shown("frozen", text!("one moment", "один момент"), &frozen, (0.0, 1.0)))
-        .with(shown("strobed", text!("{moments} equal moments", "равных моментов: {moments}"), &strobed, (0.0, 1.0)))
-        .with(shown("strata", text!("{STRATA} strata of time", "{STRATA} страт времени"), &strata, (0.0, 1.0)))
+        .with(grey("frozen", text!("one moment", "один момент"), &frozen, RANGE))
+        .with(grey("strobed", text!("{moments} equal moments", "равных моментов: {moments}"), &strobed, RANGE))
+        .with(grey("strata", text!("{STRATA} strata of time", "{STRATA} страт времени"), &strata, RANGE))
         .with(plot)
-        .with(shown("blurred", text!("256 strata of time", "256 страт времени"), &blurred, (0.0, 1.0)))
+        .with(grey("blurred", text!("256 strata of time", "256 страт времени"), &blurred, RANGE))
         .claim(
             text!(
                 "{moments} equal moments keep D_{{n}}(w), and bars of {moments} periods on the way fully",
