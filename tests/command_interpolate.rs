@@ -76,7 +76,11 @@ fn values_between_samples_are_those_of_the_signal_and_times_are_exact() {
         let t: f64 = time.parse().unwrap();
         assert!((value.unwrap() - signal(t)).abs() < 1.3e-9, "{t}");
     }
-    assert!(stdout(&done).contains("1601 rows") && stdout(&done).contains("kaiser:33"), "{}", stdout(&done));
+    assert!(
+        stdout(&done).contains("1601 rows") && stdout(&done).contains("kaiser, 33 steps to either side"),
+        "{}",
+        stdout(&done)
+    );
     assert!(stdout(&done).contains("error below"), "{}", stdout(&done));
 }
 

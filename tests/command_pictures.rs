@@ -228,7 +228,7 @@ fn a_spectrum_as_numbers_adds_up_to_the_variance() {
         let output = nyquist(&["spectrum", text(&photograph), "-o", "-", "--plane", "--border", border]);
         assert_eq!(code(&output), 0, "{}", stderr(&output));
         let csv = stdout(&output);
-        assert!(csv.starts_with("u (cycles/px),v (cycles/px),power (white^2 px^2)\n"));
+        assert!(csv.starts_with("u [cycles/px],v [cycles/px],power [white^2 px^2]\n"));
         let powers = csv.lines().skip(1).map(|line| line.rsplit(',').next().unwrap().parse::<f64>().unwrap());
         powers.sum::<f64>() / (512.0 * 512.0)
     };
@@ -237,7 +237,7 @@ fn a_spectrum_as_numbers_adds_up_to_the_variance() {
     assert!((0.4..1.1).contains(&(sum("periodic") / variance)));
     let rings = nyquist(&["spectrum", text(&photograph), "-o", "-"]);
     let lines: Vec<String> = stdout(&rings).lines().map(str::to_owned).collect();
-    assert_eq!(lines[0], "frequency (cycles/px),power (white^2 px^2),bins");
+    assert_eq!(lines[0], "frequency [cycles/px],power [white^2 px^2],bins");
     assert!(lines.len() > 250);
     let bins: f64 = lines[1..].iter().map(|line| line.rsplit(',').next().unwrap().parse::<f64>().unwrap()).sum();
     // the disc of radius ½ has π/4 of all bins

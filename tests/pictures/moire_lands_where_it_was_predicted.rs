@@ -173,7 +173,7 @@ fn the_checkerboard_of_single_pixels_becomes_a_grey_that_depends_on_where_it_is_
 #[test]
 fn of_a_photograph_every_line_is_found_as_predicted() {
     let photograph = crate::making::photograph();
-    let (mut looked, mut close) = (0, 0);
+    let (mut looked, mut clear) = (0, 0);
     for size in [[256, 256], [128, 128], [200, 300]] {
         let predicted = Shrinking::of(&photograph, size, Tolerance::new(50.0).unwrap(), None).unwrap();
         for name in ["none", "box", "tent"] {
@@ -197,9 +197,13 @@ fn of_a_photograph_every_line_is_found_as_predicted() {
                     "{name} {size:?} {wave:?} {moire:?}: {seen}, {rest}"
                 );
                 looked += 1;
-                close += usize::from(off < 0.5 * moire.contrast);
+                // where nothing else of the photograph lands there, the contrast is the predicted one
+                if rest < 0.25 * moire.contrast {
+                    assert!(off <= 0.25 * moire.contrast, "{name} {size:?} {wave:?} {moire:?}: {seen}");
+                    clear += 1;
+                }
             }
         }
     }
-    assert!(looked >= 12 && 2 * close > looked, "{close} of {looked} within a half");
+    assert!(looked >= 12 && clear >= 3, "{clear} of {looked} stand out");
 }

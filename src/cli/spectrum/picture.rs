@@ -39,13 +39,13 @@ pub(super) fn spectrum(source: Source, args: &Args) -> Result<Computed, Failure>
     let (columns, rows) = if plane {
         let grid = power.grid().iter().zip(power.values());
         let rows = grid.map(|([u, v], p)| vec![u, v, *p]).collect();
-        (headings(["u (cycles/px)", "v (cycles/px)", "power (white^2 px^2)"]), rows)
+        (headings(["u [cycles/px]", "v [cycles/px]", "power [white^2 px^2]"]), rows)
     } else {
         // as many rings as the shorter side has bins from zero to its Nyquist frequency
         let rings = (power.width().min(power.height()) / 2).max(1);
         let rings = radial_mean(power, rings)?;
         let rows = rings.into_iter().map(|ring| vec![ring.frequency, ring.power, ring.bins as f64]).collect();
-        (headings(["frequency (cycles/px)", "power (white^2 px^2)", "bins"]), rows)
+        (headings(["frequency [cycles/px]", "power [white^2 px^2]", "bins"]), rows)
     };
     let json = json!({
         "file": name, "kind": "picture", "light": "linear", "width": width, "height": height,

@@ -10,8 +10,8 @@ use std::str::FromStr;
 ///
 /// ```
 /// use nyquist::door::table::Decimal;
-/// let [now, then]: [Decimal; 2] = ["1769860800.000000123", "1769860800"].map(|t| t.parse().unwrap());
-/// assert_eq!(now.minus(then), 1.23e-7);
+/// let [now, then]: [Decimal; 2] = ["1769860800.0000001", "1769860800"].map(|t| t.parse().unwrap());
+/// assert_eq!(now.minus(then), 1e-7);
 /// assert_eq!(now.value() - then.value(), 0.0); // what is left of it in f64
 /// assert_eq!(then.plus("0.50".parse().unwrap()).unwrap().to_string(), "1769860800.50");
 /// ```

@@ -162,13 +162,8 @@ fn defocus(params: &Params) -> Result<Figure> {
             (-worst, worst),
         ))
         .with(
-            grey(
-                "shuffled",
-                text!("mean error, shuffled", "ошибка с перемешиванием"),
-                &error_of(&shuffled)?,
-                (-worst, worst),
-            )
-            .bar(Bar::values(Text::EMPTY)),
+            grey("shuffled", text!("mean error, shuffled", "ошибка с ним"), &error_of(&shuffled)?, (-worst, worst))
+                .bar(Bar::values(Text::EMPTY)),
         )
         .claim(
             text!(
