@@ -24,9 +24,9 @@ fn bits(sound: &Sound) -> Vec<u64> {
 }
 
 fn heard(frames: &[f64], channels: usize, block: usize) -> Sound {
-    let mut meter = Meter::new(8_000.0, channels).unwrap();
-    frames.chunks(block * channels).for_each(|frames| meter.push(frames).unwrap());
-    meter.finish().unwrap()
+    let mut meter = Meter::new(8_000.0, channels).expect("whole frames of finite values");
+    frames.chunks(block * channels).for_each(|frames| meter.push(frames).expect("whole frames of finite values"));
+    meter.finish().expect("whole frames of finite values")
 }
 
 #[test]

@@ -21,12 +21,12 @@ fn rounded(values: &[f64], dither: bool) -> Vec<f64> {
 
 /// Noise under a density that falls by so many dB an octave from 1 kHz on.
 fn fading(decibels: f64, frames: usize) -> Vec<f64> {
-    let spectrum = dft(&noise(32, frames)).unwrap();
+    let spectrum = dft(&noise(32, frames)).expect("finite values");
     let weight = |k: usize| {
         let frequency = k.min(frames - k) as f64 * RATE / frames as f64;
         0.3 * (frequency / 1000.0).max(1.0).powf(-decibels / 6.0206)
     };
-    inverse_dft(&spectrum.iter().enumerate().map(|(k, z)| z * weight(k)).collect::<Vec<_>>()).unwrap()
+    inverse_dft(&spectrum.iter().enumerate().map(|(k, z)| z * weight(k)).collect::<Vec<_>>()).expect("finite values")
 }
 
 #[test]

@@ -104,9 +104,13 @@ fn filters_leave_at_most_what_was_said() {
 
 /// The part of a record within frequencies, by the transform of the whole: the record begins and ends in silence.
 fn band(values: &[f64], rate: f64, from: f64, to: f64) -> Vec<f64> {
-    let samples = Samples::new(Axis::new(0.0, 1.0 / rate, values.len()).unwrap(), values.to_vec()).unwrap();
+    let samples = Samples::new(
+        Axis::new(0.0, 1.0 / rate, values.len()).expect("finite values at a positive rate"),
+        values.to_vec(),
+    )
+    .expect("finite values at a positive rate");
     let bins = forward(&samples);
-    let below = |cutoff: f64| inverse(&bins.low_passed(cutoff).unwrap());
+    let below = |cutoff: f64| inverse(&bins.low_passed(cutoff).expect("finite values at a positive rate"));
     let (upper, lower) = (below(to), below(from));
     upper.values().iter().zip(lower.values()).map(|(a, b)| a - b).collect()
 }

@@ -6,10 +6,11 @@ use nyquist::sampled::spectrogram::{Spectrogram, SpectrogramWriter};
 use nyquist::sampled::window::Window;
 
 fn of(values: &[f64], columns: usize, rows: usize) -> Spectrogram {
-    let segments = Segments::new(256, 64, Window::Hann).unwrap();
-    let mut writer = SpectrogramWriter::new(8_000.0, 1, segments, columns, rows).unwrap();
-    writer.push(values).unwrap();
-    writer.finish().unwrap().remove(0)
+    let segments = Segments::new(256, 64, Window::Hann).expect("finite values and valid segments");
+    let mut writer =
+        SpectrogramWriter::new(8_000.0, 1, segments, columns, rows).expect("finite values and valid segments");
+    writer.push(values).expect("finite values and valid segments");
+    writer.finish().expect("finite values and valid segments").remove(0)
 }
 
 #[test]

@@ -32,19 +32,16 @@ fn measured(samples: &[f64], rate: f64, frequencies: &[f64]) -> Vec<(f64, f64)> 
     let m = 2 * frequencies.len();
     let mut rows: Vec<Vec<f64>> = vec![vec![0.0; m + 1]; m];
     for (k, v) in samples.iter().enumerate() {
-        for i in 0..m {
-            for j in 0..m {
-                rows[i][j] += basis(k, i) * basis(k, j);
-            }
-            rows[i][m] += basis(k, i) * v;
+        for (i, row) in rows.iter_mut().enumerate() {
+            row.iter_mut().take(m).enumerate().for_each(|(j, sum)| *sum += basis(k, i) * basis(k, j));
+            row[m] += basis(k, i) * v;
         }
     }
     for i in 0..m {
         for j in i + 1..m {
             let factor = rows[j][i] / rows[i][i];
-            for c in i..=m {
-                rows[j][c] -= factor * rows[i][c];
-            }
+            let above = rows[i].clone();
+            rows[j].iter_mut().zip(&above).skip(i).for_each(|(value, upper)| *value -= factor * upper);
         }
     }
     let mut x = vec![0.0; m];

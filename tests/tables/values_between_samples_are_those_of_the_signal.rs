@@ -133,7 +133,8 @@ fn long_gaps_part_the_record_and_are_not_filled() {
     // a lone sample between two gaps is left out
     let times: Vec<f64> = (0..300).filter(|k| *k == 140 || !(100..180).contains(k)).map(f64::from).collect();
     let between = Interpolator::new(&of(&times), Wanted::default()).unwrap();
-    assert_eq!((between.pieces().len(), between.left_out()), (2, &[100..101][..]));
+    assert_eq!((between.pieces().len(), between.left_out().len()), (2, 1));
+    assert_eq!(between.left_out()[0], 100..101);
 }
 
 #[test]

@@ -62,7 +62,7 @@ fn column(column: &ColumnCheck, prediction: Option<&Prediction<'_>>, tolerance: 
             "aliased_energy": prediction.aliased(),
             "of_it_in_no_line": prediction.aliased_rest(),
             "smallest_rate": prediction.rate_for(tolerance),
-            "aliases": landings.map(|l| alias(l)).collect::<Vec<_>>(),
+            "aliases": landings.map(alias).collect::<Vec<_>>(),
         })
     });
     json!({

@@ -147,9 +147,9 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     }
     let fill = |sink: &mut dyn Write| write(&record, &between, &columns, &moments, args.outside, sink);
     if piped {
-        fill(&mut *out)?
+        fill(&mut *out)?;
     } else {
-        files::write_with(&args.out, fill)?
+        files::write_with(&args.out, fill)?;
     }
     words::tell(&record, &between, outside, args.outside);
     if args.json {

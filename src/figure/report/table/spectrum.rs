@@ -124,7 +124,7 @@ pub(super) fn panel(unit: &str, heading: &Heading, spectrum: &LeastSquaresSpectr
     let shown = heading.to_string();
     let label = Text::of(format!("amplitude, {shown}"), format!("амплитуда, {shown}"));
     let title = match heading.name.as_str() {
-        name if name.is_empty() => text!("spectrum", "спектр"),
+        "" => text!("spectrum", "спектр"),
         name => text!("spectrum of {name}", "спектр: {name}"),
     };
     let mut panel = empty(unit, label, std::slice::from_ref(&points), RANGE);
