@@ -164,6 +164,16 @@ pub enum Error {
         /// What the system says.
         reason: String,
     },
+    /// A law that does not hold.
+    #[error("{law}: measured {measured:.3e}, allowed {bound:.3e}")]
+    Broken {
+        /// Which law.
+        law: String,
+        /// What was measured.
+        measured: f64,
+        /// What theory allows.
+        bound: f64,
+    },
     /// A combination that has no meaning.
     #[error("{0}")]
     Unsupported(&'static str),

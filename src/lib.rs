@@ -85,6 +85,8 @@ pub mod antialias;
 pub mod axis;
 pub mod beyond;
 pub mod comb;
+#[cfg(feature = "plot")]
+pub mod course;
 pub mod door;
 pub mod engine;
 pub mod error;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 32] = [
+const FLOORS: [&str; 33] = [
     "error",
     "text",
     "num",
@@ -37,6 +37,7 @@ const FLOORS: [&str; 32] = [
     "figure",
     "plot",
     "gallery",
+    "course",
     "cli",
 ];
 

@@ -4,8 +4,8 @@
     cargo build --release
     python3 tests/peers/pictures.py target/release/nyquist [VENV]
 
-Installs numpy, scipy, pillow and opencv-python-headless by name into VENV (a temporary one if it is not given) and prints
-two tables in Markdown.
+Installs numpy, scipy, pillow and opencv-python-headless by name into VENV (a temporary one if it is not given), prints two
+tables in Markdown, and fails where something is beyond its tolerance.
 
 The first holds filters beside those of the same definition: a random picture of 16 bits, codes averaged (--encoded), and
 the largest difference away from the border, where definitions differ, in codes. One code is allowed: half of one for
@@ -19,7 +19,9 @@ The second says who is closer to the truth when a picture is made smaller; all i
 - tones: 640 pixels to 256 (a factor of 2.5). Seven waves up to 0.6 of the new Nyquist frequency, and seven beyond 1.2 of it,
   in all directions; the root mean square error of either, in dB of the waves;
 - grey: the code (of 255) that a checkerboard of single black and white pixels becomes, at half its size. Its light is one
-  half, which is written 188.
+  half, which is written 188: no other is accepted of nyquist.
+
+Filters of the same definition must err by the same: their root mean squares differ by no more than the pixels, one code.
 """
 
 import os
@@ -37,7 +39,8 @@ def inside(folder):
     if not os.path.exists(python):
         venv.create(folder, with_pip=True)
     subprocess.check_call([python, "-m", "pip", "install", "-q", *PACKAGES])
-    subprocess.check_call([python, __file__, sys.argv[1]], env={**os.environ, "NYQUIST_PEERS": "1"})
+    done = subprocess.run([python, __file__, sys.argv[1]], env={**os.environ, "NYQUIST_PEERS": "1"})
+    sys.exit(done.returncode)
 
 
 def main():
@@ -95,6 +98,7 @@ def main():
     print(versions + "\n")
     R = Image.Resampling
     rng = np.random.default_rng(1)
+    failed = []
     codes = np.round(rng.random((120, 160)) * 65535) / 65535
 
     print("| filter | beside | size | largest difference, codes of 16 bits |")
@@ -118,6 +122,8 @@ def main():
             rim = int(np.ceil(4 * max(1, size[0] / 160))) + 1
             off = np.abs(a - b)[rim:-rim, rim:-rim].max() * 65535
             print(f"| {name} | {who} | 160 × 120 → {size[0]} × {size[1]} | {off:.2f} |", flush=True)
+            if not off <= 1:
+                failed.append(f"{name} beside {who} at {size}: {off} codes")
 
     peers = [
         ("nyquist box", ours("box")),
@@ -163,8 +169,8 @@ def main():
             total += np.cos(2 * np.pi * np.mod(u * at[None, :] + v * at[:, None], 1.0) + phase)
         return total / count
 
-    def decibels(error, scale):
-        return 20 * np.log10(max(np.sqrt(np.mean(error**2)) / scale, 1e-9))
+    def share(error, scale):
+        return np.sqrt(np.mean(error**2)) / scale
 
     def grey(who, peer):
         board = ((np.indices((64, 64)).sum(axis=0) % 2) * 255).astype(np.uint8)
@@ -177,11 +183,12 @@ def main():
 
     print("\n| who | plate inside, dB | plate outside, dB | tones inside, dB | tones outside, dB | grey |")
     print("| --- | ---: | ---: | ---: | ---: | ---: |")
+    shares = {}
     for who, peer in peers:
         result = (peer(0.5 + 0.4 * plate, (small, small)) - 0.5) / 0.4
         within = (radius < 0.8 * limit) & edge
         beyond = (radius > 1.2 * limit) & far & edge
-        cells = [decibels((result - truth)[within], np.sqrt(0.5)), decibels(result[beyond], np.sqrt(0.5))]
+        cells = [share((result - truth)[within], np.sqrt(0.5)), share(result[beyond], np.sqrt(0.5))]
         new, old = 256, 640
         nyquist = 0.5 * new / old
         for low, high, keep in [(0.05, 0.6, 1.0), (1.2, 2.2, 0.0)]:
@@ -189,9 +196,27 @@ def main():
             result = (peer(0.5 + 0.4 * picture, (new, new)) - 0.5) / 0.4
             expected = keep * waves(low * nyquist, high * nyquist, 7, new, old)
             error = (result - expected)[16:-16, 16:-16]
-            cells.append(decibels(error, np.sqrt(0.5 / 7)))
-        row = " | ".join(f"{c:.1f}" for c in cells)
-        print(f"| {who} | {row} | {grey(who, peer)} |", flush=True)
+            cells.append(share(error, np.sqrt(0.5 / 7)))
+        shares[who] = np.array(cells)
+        row = " | ".join(f"{20 * np.log10(c):.1f}" for c in cells)
+        code = grey(who, peer)
+        print(f"| {who} | {row} | {code} |", flush=True)
+        if who.startswith("nyquist") and code != "188":
+            failed.append(f"grey of {who}: {code}")
+
+    code = 1 / 65535 / 0.4 / np.sqrt(0.5 / np.array([1, 1, 7, 7]))
+    twins = [
+        ("nyquist box", "OpenCV AREA"),
+        ("nyquist tent", "Pillow BILINEAR"),
+        ("nyquist catmull-rom", "Pillow BICUBIC (its default)"),
+        ("nyquist lanczos-3", "Pillow LANCZOS"),
+    ]
+    for mine, theirs in twins:
+        off = np.max(np.abs(shares[mine] - shares[theirs]) / code)
+        if not off <= 1:
+            failed.append(f"{mine} errs otherwise than {theirs}: by {off} codes")
+    if failed:
+        sys.exit("beyond the tolerance: " + "; ".join(failed))
 
 
 if len(sys.argv) < 2:
