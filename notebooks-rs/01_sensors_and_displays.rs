@@ -208,6 +208,8 @@ fn main() -> Result<()> {
 
     // %%
     show(lang, "f03-jaggies", &[("flat", "2")])?;
+
+    // %%
     show(lang, "f03-moire", &[("M", "64")])?;
 
     // %% en
@@ -256,6 +258,8 @@ fn main() -> Result<()> {
 
     // %%
     show(lang, "f03-small-objects", &[("r", "0.3")])?;
+
+    // %%
     show(lang, "f03-highlights", &[])?;
 
     // %% en
@@ -397,7 +401,11 @@ fn main() -> Result<()> {
 
     // %%
     show(lang, "f06-sampling", &[("T", "0.5")])?;
+
+    // %%
     show(lang, "f07-cause", &[("slow", "0.4"), ("fast", "0.9")])?;
+
+    // %%
     show(lang, "f08-folding", &[])?;
 
     // %% en

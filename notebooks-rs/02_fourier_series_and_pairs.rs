@@ -68,6 +68,8 @@ fn main() -> Result<()> {
 
     // %%
     show(lang, "f09-functions", &[("c", "1")])?;
+
+    // %%
     show(lang, "f10-spectra", &[("X", "100")])?;
 
     // %% en
@@ -114,6 +116,8 @@ fn main() -> Result<()> {
 
     // %%
     show(lang, "f11-series", &[("N", "8")])?;
+
+    // %%
     show(lang, "f11-unweighted", &[("N", "8")])?;
 
     // %% en
@@ -224,6 +228,8 @@ fn main() -> Result<()> {
 
     // %%
     show(lang, "f12-euler", &[])?;
+
+    // %%
     show(lang, "f12-both-ways", &[("c", "2")])?;
 
     // %% en

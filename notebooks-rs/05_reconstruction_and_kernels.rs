@@ -270,7 +270,11 @@ fn main() -> Result<()> {
 
     // %%
     show(lang, "x-filters", &[("gaussian", "gaussian"), ("sinc", "lanczos-3")])?;
+
+    // %%
     show(lang, "x-filters-pulse-chirp", &[("last", "lanczos-3")])?;
+
+    // %%
     show(lang, "x-bc-plane", &[])?;
 
     // %% en

@@ -84,6 +84,8 @@ fn main() -> Result<()> {
 
     // %%
     show(lang, "f27-overlap", &[("T", "1")])?;
+
+    // %%
     show(lang, "f28-leak", &[("T", "1")])?;
 
     // %% en

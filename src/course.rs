@@ -19,8 +19,8 @@ const LINES: usize = 6;
 
 /// How large a picture in a notebook is laid out: half a slide, with letters of a slide's proportions.
 const SIZE: (u32, u32) = (1120, 630);
-/// How large it is shown: no wider than the column of text where a page does not shrink pictures.
-const SHOWN: (u32, u32) = (896, 504);
+/// How large it is shown: Jupyter does not shrink a picture that is wider than its column of text.
+const SHOWN: (u32, u32) = (880, 495);
 
 /// Shows a figure of the lecture, by its id or its entry in the inventory, with some of its parameters set.
 ///

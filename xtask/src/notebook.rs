@@ -7,8 +7,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::thread;
 
-/// The first line of every notebook's code: where its kernel finds the library.
-const LIBRARY: &str = ":dep nyquist = { path = \"../..\" }";
+/// The first line of every notebook's code: where its kernel finds the library, without the command and what it needs.
+const LIBRARY: &str =
+    ":dep nyquist = { path = \"../..\", default-features = false, features = [\"plot\", \"files\", \"threads\"] }";
 /// Around a picture in what a cell prints.
 const PICTURE: [&str; 2] = ["EVCXR_BEGIN_CONTENT image/svg+xml\n", "\nEVCXR_END_CONTENT\n"];
 
@@ -44,6 +45,9 @@ fn derive(root: &Path) -> Result<Vec<(PathBuf, String)>, String> {
     let one = |lang: &'static str| -> Result<Vec<(PathBuf, String)>, String> {
         let derived = sources.iter().map(|source| {
             let printed = library.run(&format!("{}-{lang}", source.name), &source.program(lang))?;
+            for (i, words) in &printed {
+                ends_with_its_picture(words).map_err(|why| format!("{}: cell {i} {why}", source.name))?;
+            }
             let cells = source.pieces(lang);
             let cells = cells.iter().enumerate().map(|(i, piece)| cell(i, piece, printed.get(&i)));
             let path = folder.join(lang).join(format!("{}.ipynb", source.name));
@@ -103,6 +107,16 @@ fn cell(index: usize, piece: &Piece, printed: Option<&String>) -> Value {
     }
 }
 
+/// The kernel keeps one picture of a cell, the last, and shows it after all words.
+fn ends_with_its_picture(printed: &str) -> Result<(), String> {
+    match next(printed) {
+        (_, Some(_), after) if !after.is_empty() => {
+            Err("shows something after a picture; begin another cell there".into())
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Words and pictures, in the order in which they came.
 fn outputs(printed: &str) -> Vec<Value> {
     let mut outputs = Vec::new();
@@ -130,4 +144,18 @@ fn next(printed: &str) -> (&str, Option<&str>, &str) {
 /// A text as Jupyter keeps it: line by line, all but the last with their ends.
 fn lines(text: &str) -> Vec<String> {
     text.split_inclusive('\n').map(str::to_owned).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_is_the_last_thing_in_its_cell() {
+        let picture = format!("{}<svg/>{}", PICTURE[0], PICTURE[1]);
+        assert!(ends_with_its_picture("words\n").is_ok());
+        assert!(ends_with_its_picture(&format!("words\n{picture}")).is_ok());
+        assert!(ends_with_its_picture(&format!("{picture}words\n")).is_err());
+        assert!(ends_with_its_picture(&format!("{picture}{picture}")).is_err());
+    }
 }

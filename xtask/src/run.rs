@@ -28,7 +28,7 @@ impl Library {
             let files = message["filenames"].as_array()?.iter().filter_map(Value::as_str);
             files.filter(|_| ours).find(|file| file.ends_with(".rlib")).map(PathBuf::from)
         };
-        let rlib = artifacts.filter_map(library).last().ok_or("cargo did not say where the library is")?;
+        let rlib = artifacts.filter_map(library).next_back().ok_or("cargo did not say where the library is")?;
         let work = rlib.with_file_name("notebooks");
         fs::create_dir_all(&work).map_err(|error| format!("{}: {error}", work.display()))?;
         Ok(Self { rlib, work })
