@@ -90,6 +90,7 @@ pub mod course;
 pub mod door;
 pub mod engine;
 pub mod error;
+pub mod exercise;
 pub mod field;
 pub mod figure;
 pub mod film;

@@ -86,7 +86,7 @@ impl Text {
     /// ```
     pub fn literal(letters: impl Into<String>) -> Self {
         let letters = letters.into();
-        Self { en: Cow::Owned(letters.clone()), ru: Cow::Owned(letters) }
+        Self::verbatim(letters.clone(), letters)
     }
 
     /// This, and another one behind it.
@@ -94,6 +94,11 @@ impl Text {
     pub fn and(self, more: &Self) -> Self {
         let joined = |a: Cow<'_, str>, lang| Cow::Owned(a.into_owned() + more.get(lang));
         Self { en: joined(self.en, Lang::En), ru: joined(self.ru, Lang::Ru) }
+    }
+
+    /// A sentence whose minus signs and commas are as its author wrote them.
+    pub fn verbatim(en: impl Into<String>, ru: impl Into<String>) -> Self {
+        Self { en: Cow::Owned(en.into()), ru: Cow::Owned(ru.into()) }
     }
 
     /// The sentence in one language.

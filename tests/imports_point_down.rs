@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up. A module may use those that stand before it.
-const FLOORS: [&str; 33] = [
+const FLOORS: [&str; 34] = [
     "error",
     "text",
     "num",
@@ -35,6 +35,7 @@ const FLOORS: [&str; 33] = [
     "inspect",
     "laws",
     "figure",
+    "exercise",
     "plot",
     "gallery",
     "course",

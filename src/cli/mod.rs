@@ -1,6 +1,7 @@
 //! The command line: one subcommand a file, each from arguments to a library call to text.
 
 mod check;
+mod exercise;
 mod figures;
 mod files;
 mod interpolate;
@@ -67,6 +68,8 @@ enum Command {
     Resample(resample::Args),
     /// Resize a picture, in linear light
     Resize(resize::Args),
+    /// Exercises that check themselves, and grading for the teacher
+    Exercise(exercise::Args),
 }
 
 /// Why the exit code is not zero.
@@ -114,6 +117,7 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Interpolate(args)) => interpolate::run(&args, &mut out),
         Some(Command::Resample(args)) => resample::run(&args, &mut out),
         Some(Command::Resize(args)) => resize::run(&args, &mut out),
+        Some(Command::Exercise(args)) => exercise::run(&args, &mut out),
     };
     match done.and_then(|()| Ok(out.flush()?)) {
         Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
