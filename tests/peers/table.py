@@ -24,8 +24,9 @@ for the rounding of phases, 2π·ε·f·t at the fastest tone. Where the truth i
 default has to be closer than all of SciPy's and NumPy's that are told no more, in the middle and over the whole.
 
 Spectra: amplitudes of two tones (2 and 0.02) among 400 random times of a record, in noise of 0.01; what each finds at the
-best frequency of its own near the truth. What nyquist finds has to be within five standard deviations of the Cramér–Rao bound:
-σ√(2/N) of an amplitude A, and √6·σ/(π·A·T·√N) of its frequency. Amplitudes of single frequencies are Astropy's by definition:
+best frequency of its own near the truth. nyquist fits under Hann's window w, so the deviations of what it finds are those of
+the Cramér–Rao bound, σ√(2/N) of an amplitude A and √6·σ/(π·A·T·√N) of its frequency, times √1.5 (1.5 = ∫w²/(∫w)²) and
+√2.34 (2.34 = ∫t²·∫w²t²/(∫wt²)²). Tolerance: five of them. Amplitudes of single frequencies are Astropy's by definition:
 tolerance ε·N·A_max, sums of N rounded products.
 """
 
@@ -189,8 +190,8 @@ def main():
     lines = json.loads(check.stdout)["columns"][0]["lines"]
     found = {"nyquist check (lines)": [(line["frequency"], line["amplitude"]) for line in lines]}
     for (f, a), truth, amplitude in zip(found["nyquist check (lines)"] + 2 * [(0, 0)], (strong, weak), (2, 0.02)):
-        off_a = (a - amplitude) / (0.01 * np.sqrt(2 / 400))
-        off_f = (f - truth) / (np.sqrt(6) * 0.01 / (np.pi * amplitude * 100 * np.sqrt(400)))
+        off_a = (a - amplitude) / (0.01 * np.sqrt(1.5 * 2 / 400))
+        off_f = (f - truth) / (np.sqrt(2.34 * 6) * 0.01 / (np.pi * amplitude * 100 * np.sqrt(400)))
         if not max(abs(off_a), abs(off_f)) <= 5:
             failed.append(f"the line at {truth}: off by {off_a} deviations in amplitude, {off_f} in frequency")
 
