@@ -1,6 +1,6 @@
 //! Files are written whole or not at all.
 
-use crate::cli::Failure;
+use crate::cli::{Failure, unfinished};
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -85,8 +85,9 @@ impl Prepared {
         fs::create_dir_all(folder).map_err(failed)?;
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
         let temporary = folder.join(format!(".{name}.{}.tmp", std::process::id()));
-        let mut file = BufWriter::new(fs::File::create(&temporary).map_err(failed)?);
+        unfinished::begun(&temporary);
         let prepared = Self { temporary, target: path.to_owned() };
+        let mut file = BufWriter::new(fs::File::create(&prepared.temporary).map_err(failed)?);
         let made = fill(&mut file)?;
         file.flush().map_err(failed)?;
         Ok((prepared, made))
@@ -102,6 +103,7 @@ impl Drop for Prepared {
     fn drop(&mut self) {
         // gone already where it was placed; otherwise best effort, the error that matters is another
         let _ = fs::remove_file(&self.temporary);
+        unfinished::ended(&self.temporary);
     }
 }
 

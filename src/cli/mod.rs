@@ -4,6 +4,7 @@ mod check;
 mod exercise;
 mod figures;
 mod files;
+mod given;
 mod interpolate;
 mod kernel;
 mod laws;
@@ -18,9 +19,11 @@ mod sound;
 mod source;
 mod spectrum;
 mod table;
+mod unfinished;
 mod working;
 
-use clap::{Parser, Subcommand};
+use crate::cli::given::Given;
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
@@ -103,7 +106,15 @@ impl Failure {
 
 /// Parses the arguments, runs the command, and says what went wrong.
 pub(crate) fn run() -> ExitCode {
-    let cli = Cli::parse();
+    let command = Cli::command();
+    let matches = command.clone().get_matches();
+    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    let given = matches.subcommand().and_then(|(name, matches)| {
+        let command = command.find_subcommand(name)?;
+        Some(Given::of(command, matches))
+    });
+    let given = given.unwrap_or_default();
+    unfinished::removed_on_interruption();
     let mut out = io::stdout().lock();
     let done = match cli.command {
         None => figures::run(&cli.figures, &mut out),
@@ -112,8 +123,8 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Kernel(args)) => kernel::run(&args, &mut out),
         Some(Command::Points(args)) => points::run(&args, &mut out),
         Some(Command::Render(args)) => render::run(&args, &mut out),
-        Some(Command::Check(args)) => check::run(&args, &mut out),
-        Some(Command::Spectrum(args)) => spectrum::run(&args, &mut out),
+        Some(Command::Check(args)) => check::run(&args, &given, &mut out),
+        Some(Command::Spectrum(args)) => spectrum::run(&args, &given, &mut out),
         Some(Command::Interpolate(args)) => interpolate::run(&args, &mut out),
         Some(Command::Resample(args)) => resample::run(&args, &mut out),
         Some(Command::Resize(args)) => resize::run(&args, &mut out),

@@ -4,6 +4,7 @@ mod picture;
 mod sound;
 mod table;
 
+use crate::cli::given::Given;
 use crate::cli::number::quotient;
 use crate::cli::source::Source;
 use crate::cli::{Failure, report};
@@ -20,7 +21,7 @@ pub(super) struct Args {
     /// A WAV, PNG, JPEG or CSV file, told apart by its first bytes; `-` is standard input
     input: PathBuf,
     /// The rate of sounds and tables to sample at, in Hz or per unit of the table's times: 8000, 44.1 or 48000/1.001
-    #[arg(short = 'r', long, value_name = "R", value_parser = quotient, allow_negative_numbers = true)]
+    #[arg(short = 'r', long, value_name = "R", help_heading = "Sound and tables", value_parser = quotient, allow_negative_numbers = true)]
     rate: Option<f64>,
     /// The least signal-to-alias ratio in dB: how far below the signal all aliases together must stay
     #[arg(long, value_name = "DB")]
@@ -48,9 +49,10 @@ struct Checked {
     fine: bool,
 }
 
-pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
+pub(super) fn run(args: &Args, given: &Given, out: &mut impl Write) -> Result<(), Failure> {
     args.report.checked(&args.input)?;
     let (source, kind) = Source::open_any(&args.input)?;
+    given.fit(&source.name, kind)?;
     let checked = match kind {
         Kind::Sound => sound::check(source, args),
         Kind::Picture => picture::check(source, args),

@@ -4,6 +4,7 @@ mod picture;
 mod sound;
 mod table;
 
+use crate::cli::given::Given;
 use crate::cli::source::Source;
 use crate::cli::{Failure, files};
 use nyquist::door::kind::Kind;
@@ -27,10 +28,10 @@ pub(super) struct Args {
     #[arg(short = 'o', long = "out", value_name = "OUT")]
     out: PathBuf,
     /// What of each frequency: amplitude, or density (mean square per unit of frequency)
-    #[arg(long, default_value = "amplitude")]
+    #[arg(long, default_value = "amplitude", help_heading = "Sound and tables")]
     quantity: Quantity,
     /// The window: rectangular, hann, hamming, blackman, blackman-harris, flat-top, gaussian:SIGMA or kaiser:BETA
-    #[arg(long, default_value = "hann")]
+    #[arg(long, default_value = "hann", help_heading = "Sound and tables")]
     window: Window,
     /// The language of the picture: en or ru
     #[arg(long, default_value = "en")]
@@ -65,7 +66,7 @@ enum Form {
     Json,
 }
 
-pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
+pub(super) fn run(args: &Args, given: &Given, out: &mut impl Write) -> Result<(), Failure> {
     let form = form(&args.out)?;
     let piped = args.out == Path::new("-");
     if !piped {
@@ -73,6 +74,7 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
         files::vacant(&args.out, args.force)?;
     }
     let (source, kind) = Source::open_any(&args.input)?;
+    given.fit(&source.name, kind)?;
     let computed = match kind {
         Kind::Sound => sound::spectrum(source, args),
         Kind::Picture => picture::spectrum(source, args),
