@@ -13,9 +13,9 @@
 // %% hint ru
 // Дельта-функция, умноженная на функцию, сохраняет её значение в этой одной точке.
 // %% hint en
-// Do not forget the T before the sum: with it the weights add up to the integral of f, whatever T is.
+// Do not forget the T before the sum: with it the weights add up to the integral of f, exactly if 1/T is above the band of f.
 // %% hint ru
-// Не забудьте T перед суммой: с ним сумма весов — интеграл от f при любом T.
+// Не забудьте T перед суммой: с ним сумма весов — интеграл от f, причём точно, если 1/T больше полосы f.
 
 // %% answer
 /// The weights of the first n arrows.

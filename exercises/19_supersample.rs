@@ -6,7 +6,7 @@
 // Pixel i covers the interval from i to i + 1. Read f at n points in it, evenly spread and symmetric about its middle (each
 // in the middle of its n-th part), and give their mean: Pixel = Σ w_s · Sample_s.
 // %% ru
-// # Супер-сэмплинг
+// # Суперсэмплинг
 //
 // Пиксель i занимает интервал от i до i + 1. Прочтите f в n точках, равномерно и симметрично относительно середины
 // (каждая в середине своей n-й части), и верните среднее: Pixel = Σ w_s · Sample_s.

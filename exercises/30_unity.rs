@@ -5,13 +5,13 @@
 //
 // A kernel k reaches `radius` steps to either side. Between two samples, a part t of a step (0 ≤ t < 1) right of sample 0,
 // the samples 1 − radius, …, radius take part. Give their weights, divided by their sum: then a constant stays what it is
-// with any kernel (Lanczos' own weights add up to 0.99 … 1.01).
+// with any kernel (the weights of Lanczos-3 itself add up to 0.994 … 1).
 // %% ru
-// # Веса с суммой один
+// # Веса с единичной суммой
 //
 // Ядро k простирается на `radius` шагов в каждую сторону. Между двумя отсчётами, на долю t шага (0 ≤ t < 1) правее отсчёта
 // 0, участвуют отсчёты 1 − radius, …, radius. Верните их веса, делённые на их сумму: тогда константа сохраняется с любым
-// ядром (у самого ядра Ланцоша сумма весов — от 0,99 до 1,01).
+// ядром (у самого ядра Ланцоша радиуса 3 сумма весов — от 0,994 до 1).
 // %% hint en
 // Sample i is t − i steps away.
 // %% hint ru

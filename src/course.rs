@@ -11,7 +11,7 @@ use crate::laws;
 use crate::plot::{Style, draw};
 use crate::residual::Residual;
 use crate::text;
-use crate::text::{Lang, Text, number, plain};
+use crate::text::{Lang, Text, number, plain, raised};
 use std::io::{self, Write};
 
 /// How many lines of a law are printed: it may be proved on dozens of examples.
@@ -130,16 +130,6 @@ fn line(residual: &Residual) -> String {
     let measured = if residual.measured == 0.0 { least } else { residual.measured };
     let (measured, allowed) = (shown(measured), shown(residual.bound));
     format!("{mark} {measured:>10} · {allowed:<10} {}", residual.law)
-}
-
-/// A number with its power of ten in letters alone: `10^{−14}` becomes `10⁻¹⁴`.
-fn raised(number: &str) -> String {
-    let Some((mantissa, power)) = number.split_once("^{") else { return number.to_owned() };
-    let small = |c: char| match c.to_digit(10) {
-        Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
-        None => '⁻',
-    };
-    mantissa.chars().chain(power.trim_end_matches('}').chars().map(small)).collect()
 }
 
 fn checked(residual: &Residual) -> Result<()> {

@@ -214,3 +214,18 @@ fn comma(s: &str) -> String {
     let inside = |i: usize| digit(i.checked_sub(1)) && digit(Some(i + 1));
     chars.iter().enumerate().map(|(i, &c)| if c == '.' && inside(i) { ',' } else { c }).collect()
 }
+
+/// A number with its power of ten in letters alone: `10^{−14}` becomes `10⁻¹⁴`.
+///
+/// ```
+/// use nyquist::text::{number, raised};
+/// assert_eq!(raised(&number(1.5e-14, 3)), "1.5·10⁻¹⁴");
+/// ```
+pub fn raised(number: &str) -> String {
+    let Some((mantissa, power)) = number.split_once("^{") else { return number.to_owned() };
+    let small = |c: char| match c.to_digit(10) {
+        Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
+        None => '⁻',
+    };
+    mantissa.chars().chain(power.trim_end_matches('}').chars().map(small)).collect()
+}

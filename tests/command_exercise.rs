@@ -52,6 +52,13 @@ fn a_student_begins_errs_is_helped_and_solves() {
     let (code, words) = go(&["check"]);
     assert!(code == 1 && words.contains("0/0") && words.contains("t = "), "{words}");
 
+    // what was begun last is meant, and what is somebody else's is not replaced
+    assert_eq!(go(&["start", "2"]).0, 0);
+    assert!(go(&["hint"]).1.contains("02 wheel"));
+    assert_eq!(go(&["hint", "1"]).0, 0);
+    fs::write(folder.path().join("src/bin/03_other.rs"), "fn main() {}\n").expect("written");
+    assert!(go(&["solution"]).1.contains("kept"));
+
     let (code, solution) = go(&["solution"]);
     assert_eq!(code, 0);
     fs::write(&file, solution).expect("written");

@@ -12,6 +12,9 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+/// So many lines of what an answer prints are shown.
+const MOST_PRINTED: usize = 50;
+
 /// The folder.
 #[derive(Debug)]
 pub(super) struct Desk {
@@ -37,7 +40,7 @@ impl Desk {
         self.root.join(format!("{}.rs", exercise.file()))
     }
 
-    /// The exercise of that name; without one, the first that is begun and not solved.
+    /// The exercise of that name; without one, that which was worked on last, unless it is solved and another one is begun.
     pub(super) fn current(&self, name: Option<&str>) -> Result<Exercise, Failure> {
         if let Some(name) = name {
             return Ok(catalog::by_name(name)?);
@@ -47,7 +50,10 @@ impl Desk {
             let begin = self.words("nothing is begun here", "здесь ничего не начато");
             Failure::Trouble(format!("{begin}: nyquist exercise start"))
         };
-        catalog::all().into_iter().find(open).ok_or_else(none)
+        let latest = || self.progress.latest.as_deref().and_then(|id| catalog::by_name(id).ok());
+        let latest = || latest().filter(|exercise| self.file(exercise).exists());
+        let begun = || latest().filter(open).or_else(|| catalog::all().into_iter().find(open));
+        begun().or_else(latest).ok_or_else(none)
     }
 
     /// The program that judges an answer. It names the file by its whole path, and so does the compiler.
@@ -142,7 +148,14 @@ impl Desk {
         fs::create_dir_all(self.root.join(".nyquist"))?;
         let (verdict, printed) = Verdict::of(compiled, &scratch, limits)?;
         if !printed.is_empty() {
-            writeln!(out, "{}\n", printed.trim_end())?;
+            for line in printed.lines().take(MOST_PRINTED) {
+                writeln!(out, "{line}")?;
+            }
+            let left = printed.lines().count().saturating_sub(MOST_PRINTED);
+            if left > 0 {
+                writeln!(out, "… {} {left}", self.words("lines left out:", "строк опущено:"))?;
+            }
+            writeln!(out)?;
         }
         verdict.print(self.progress.lang, out)?;
         match &verdict {

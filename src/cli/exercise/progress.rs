@@ -26,6 +26,8 @@ pub(super) struct Progress {
     /// The language that was chosen.
     pub(super) lang: Lang,
     marks: BTreeMap<String, Mark>,
+    /// The exercise that was worked on last.
+    pub(super) latest: Option<String>,
 }
 
 impl Progress {
@@ -36,10 +38,10 @@ impl Progress {
             Ok(text) => parsed(&text).ok_or_else(|| {
                 Failure::Trouble(format!("{} is damaged; delete it to begin anew (your files stay)", path.display()))
             })?,
-            Err(error) if error.kind() == ErrorKind::NotFound => (Lang::En, BTreeMap::new()),
+            Err(error) if error.kind() == ErrorKind::NotFound => (Lang::En, BTreeMap::new(), None),
             Err(error) => return Err(Failure::trouble(format!("cannot read {}", path.display()), error)),
         };
-        Ok(Self { path, lang: lang.unwrap_or(known.0), marks: known.1 })
+        Ok(Self { path, lang: lang.unwrap_or(known.0), marks: known.1, latest: known.2 })
     }
 
     /// What was done with that exercise.
@@ -50,19 +52,21 @@ impl Progress {
     /// Notes something, and writes it down.
     pub(super) fn note(&mut self, id: &str, change: impl FnOnce(&mut Mark)) -> Result<(), Failure> {
         change(self.marks.entry(id.to_owned()).or_default());
+        self.latest = Some(id.to_owned());
         let mark =
             |(id, m): (&String, &Mark)| (id.clone(), json!({ "tries": m.tries, "hints": m.hints, "solved": m.solved }));
         let marks = Value::Object(self.marks.iter().map(mark).collect::<Map<_, _>>());
-        let text = format!("{:#}\n", json!({ "lang": self.lang.code(), "exercises": marks }));
+        let text = format!("{:#}\n", json!({ "lang": self.lang.code(), "latest": self.latest, "exercises": marks }));
         files::write(&self.path, text.as_bytes())
     }
 }
 
-fn parsed(text: &str) -> Option<(Lang, BTreeMap<String, Mark>)> {
+fn parsed(text: &str) -> Option<(Lang, BTreeMap<String, Mark>, Option<String>)> {
     let value: Value = serde_json::from_str(text).ok()?;
     let marks = value["exercises"].as_object()?.iter().map(|(id, m)| {
         let mark = Mark { tries: m["tries"].as_u64()?, hints: m["hints"].as_u64()?, solved: m["solved"].as_bool()? };
         Some((id.clone(), mark))
     });
-    Some((value["lang"].as_str()?.parse().ok()?, marks.collect::<Option<_>>()?))
+    let latest = value["latest"].as_str().map(str::to_owned);
+    Some((value["lang"].as_str()?.parse().ok()?, marks.collect::<Option<_>>()?, latest))
 }

@@ -5,7 +5,7 @@ use crate::cli::exercise::bounded::{End, Limits, run};
 use crate::cli::exercise::workshop::Compiled;
 use nyquist::exercise::{Line, Report};
 use nyquist::gallery::index::settled;
-use nyquist::text::{Lang, Text, number, plain};
+use nyquist::text::{Lang, Text, number, plain, raised};
 use std::fs;
 use std::io::Write;
 use std::path::Path;
@@ -97,12 +97,14 @@ impl Verdict {
 fn table(report: &Report, lang: Lang, out: &mut impl Write) -> Result<(), Failure> {
     let [measured, allowed] = [Text::fixed("measured", "измерено"), Text::fixed("allowed", "допустимо")];
     let wide = report.lines.iter().map(|line| plain(line.law.get(lang)).chars().count()).max().unwrap_or(0);
-    writeln!(out, "  {:wide$}   {:>11} · {}", "", measured.get(lang), allowed.get(lang))?;
+    writeln!(out, "  {:wide$}   {:>11} | {}", "", measured.get(lang), allowed.get(lang))?;
     for line in &report.lines {
         let residual = line.residual();
         let mark = if residual.holds() { '✓' } else { '✗' };
-        let [measured, allowed] = [residual.measured, residual.bound].map(|value| shown(value, 3, lang));
-        writeln!(out, "  {:wide$}   {measured:>11} · {allowed:<11} {mark}", plain(line.law.get(lang)))?;
+        // rounded up to a decade where that says enough; as they are where they must tell apart
+        let rounded = |value| if residual.holds() { settled(value) } else { value };
+        let [measured, allowed] = [residual.measured, residual.bound].map(|value| shown(rounded(value), 3, lang));
+        writeln!(out, "  {:wide$}   {measured:>11} | {allowed:<11} {mark}", plain(line.law.get(lang)))?;
         if let Some(off) = off(line, lang).filter(|_| !residual.holds()) {
             writeln!(out, "      {off}")?;
         }
@@ -116,7 +118,10 @@ fn table(report: &Report, lang: Lang, out: &mut impl Write) -> Result<(), Failur
 /// The case that is off the most.
 fn off(line: &Line, lang: Lang) -> Option<String> {
     let case = line.worst()?;
-    let [said, truth] = [case.said, case.truth].map(|value| shown(value, 6, lang));
+    // as many digits as tell them apart
+    let both = |digits| [case.said, case.truth].map(|value| shown(value, digits, lang));
+    let digits = [6, 9, 12, 15].into_iter().find(|digits| both(*digits)[0] != both(*digits)[1]);
+    let [said, truth] = both(digits.unwrap_or(17));
     Some(match lang {
         Lang::En => format!("{} is {said} and should be {truth}", case.call),
         Lang::Ru => format!("{} равно {said}, а должно быть {truth}", case.call),
@@ -124,8 +129,7 @@ fn off(line: &Line, lang: Lang) -> Option<String> {
 }
 
 fn shown(value: f64, digits: usize, lang: Lang) -> String {
-    let value = if digits > 3 { value } else { settled(value) };
-    let number = number(value, digits);
+    let number = raised(&number(value, digits));
     plain(Text::of(number.clone(), number).get(lang))
 }
 

@@ -12,6 +12,9 @@ use std::process::Command;
 /// How the project's manifest begins, so that nobody else's is taken for it.
 const MARK: &str = "# Written by `nyquist exercise`.";
 
+/// How its programs begin.
+const OURS: &str = "// Written by `nyquist exercise`";
+
 /// The project.
 #[derive(Debug)]
 pub(super) struct Workshop {
@@ -43,10 +46,13 @@ impl Workshop {
     /// Writes a program, if it is not there as it should be: what has not changed is not compiled again.
     pub(super) fn program(&self, name: &str, text: &str) -> Result<(), Failure> {
         let path = self.root.join("src/bin").join(format!("{name}.rs"));
-        if fs::read_to_string(&path).is_ok_and(|there| there == text) {
-            Ok(())
-        } else {
-            files::write(&path, text.as_bytes())
+        match fs::read_to_string(&path) {
+            Ok(there) if there == text => Ok(()),
+            Ok(there) if !there.starts_with(OURS) => {
+                let why = "is not of nyquist exercise, and would be replaced; choose another folder with --dir";
+                Err(Failure::Trouble(format!("{} {why}", path.display())))
+            }
+            _ => files::write(&path, text.as_bytes()),
         }
     }
 
@@ -75,6 +81,12 @@ impl Workshop {
             ),
             _ => Failure::trouble("cargo cannot be started", error),
         })?;
+        // nobody's answer is to blame for what the machine lacks
+        if String::from_utf8_lossy(&output.stdout).contains("error: linker `") {
+            let why =
+                "a C linker is not installed; `apt install build-essential` or `xcode-select --install` installs it";
+            return Err(Failure::Trouble(why.into()));
+        }
         let mut compiled: BTreeMap<String, Compiled> = BTreeMap::new();
         for message in
             output.stdout.split(|byte| *byte == b'\n').filter_map(|l| serde_json::from_slice::<Value>(l).ok())
