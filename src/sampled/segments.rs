@@ -245,7 +245,7 @@ impl Bench {
 }
 
 /// `Σwx/Σw`, with that of what is left added once more, as [`mean`] does.
-fn weighted_mean(samples: &[f64], weights: &[f64]) -> f64 {
+pub(crate) fn weighted_mean(samples: &[f64], weights: &[f64]) -> f64 {
     let sum: f64 = weights.iter().sum();
     let of = |away: f64| samples.iter().zip(weights).map(|(v, w)| (v - away) * w).sum::<f64>() / sum;
     let first = of(0.0);

@@ -146,7 +146,7 @@ impl Meter {
         let heard = gauges.iter().zip(spectra).zip(moments.finish()).enumerate();
         let channels = heard.map(|(i, ((gauge, spectrum), lane))| {
             let levels = gauge.read();
-            let whole = ends.complete(i, &spectrum, frames, levels.mean);
+            let whole = ends.complete(i, &spectrum, frames);
             Channel::new(levels, spectrum, whole, averages, lane)
         });
         Ok(Sound { rate, frames, channels: channels.collect() })
