@@ -335,18 +335,16 @@ fn the_rounding_of_its_own_bits_is_no_sign_of_aliasing() {
 #[test]
 fn words_name_the_channel_that_is_shown_and_how_many_are_not() {
     let values: Vec<f64> = tones(48_000.0, 6_000).into_iter().flat_map(|v| [0.1 * v; 20]).collect();
-    let (folder, input) = file(&wav(48_000, 20, Encoding::Int24, &values));
-    let svg = folder.path().join("r.svg");
+    let (_folder, input) = file(&wav(48_000, 20, Encoding::Int24, &values));
     for (args, said) in [
         (&["--rate", "16000"][..], "whose signal is the fewest dB above its aliases"),
         (&[], "whose last sixteenth is the fewest dB below the whole"),
     ] {
-        let done = check(&[&[text(&input), "-o", text(&svg), "--force"], args].concat());
-        let out = stdout(&check(&[&[text(&input)], args].concat()));
+        let done = check(&[&[text(&input)], args].concat());
+        let out = stdout(&done);
         assert!(code(&done) < 2, "{}", stderr(&done));
         assert!(out.contains(said) && !out.contains("strongest aliases"), "{out}");
         assert!(out.contains("4 more channels are left out here"), "{out}");
-        assert!(fs::read_to_string(&svg).unwrap().contains(" of 20"), "the picture names its channel");
     }
 }
 
