@@ -263,6 +263,14 @@ fn nonsense_is_one_sentence() {
         (&["--rate", "nan"], "the rate of the output must be finite"),
         (&["--rate", "inf"], "the rate of the output must be finite"),
         (&["--rate", "1e308"], "between 0.001 and 1000"),
+        (
+            &["--rate", "1e300"],
+            "--rate must lie between 48 and 48000000 Hz, between 0.001 and 1000 times the rate of the file, got 1e300",
+        ),
+        (
+            &["--rate", "1e-300"],
+            "--rate must lie between 48 and 48000000 Hz, between 0.001 and 1000 times the rate of the file, got 1e-300",
+        ),
         (&["--rate", "cd"], "is no number"),
         (&["--rate", "40"], "between 0.001 and 1000"),
         (&["--tolerance=-3"], "the tolerance in dB must lie between 0 and 300"),
@@ -305,4 +313,66 @@ fn help_says_what_the_tolerance_is() {
     for words in ["signal-to-alias", "60", "Exit codes", "--rate"] {
         assert!(help.contains(words), "{words}: {help}");
     }
+}
+
+#[test]
+fn the_rounding_of_its_own_bits_is_no_sign_of_aliasing() {
+    let clean: Vec<f64> = (0..96_000).map(|i| 0.9 * sin_pi(2.0 * (997.3 / 48_000.0 * f64::from(i)).fract())).collect();
+    let (_folder, input) = file(&wav(48_000, 1, Encoding::Int8, &clean));
+    let done = check(&[text(&input)]);
+    assert_eq!(code(&done), 0, "{}", stdout(&done));
+    for words in ["no sign of aliasing", "no more than the rounding of its 8 bits leaves there"] {
+        assert!(stdout(&done).contains(words), "{words}: {}", stdout(&done));
+    }
+    assert_eq!(json(&check(&[text(&input), "--json"]))["only_rounding"], true);
+    // a tone there, as loud as the noise of the last sixteenth would have to be three times
+    let beside = |i: usize| 0.004 * sin_pi(2.0 * (23_400.0 / 48_000.0 * i as f64).fract());
+    let values: Vec<f64> = clean.iter().enumerate().map(|(i, v)| v + beside(i)).collect();
+    let (_folder, input) = file(&wav(48_000, 1, Encoding::Int8, &values));
+    assert_eq!(code(&check(&[text(&input)])), 1);
+}
+
+#[test]
+fn words_name_the_channel_that_is_shown_and_how_many_are_not() {
+    let values: Vec<f64> = tones(48_000.0, 6_000).into_iter().flat_map(|v| [0.1 * v; 20]).collect();
+    let (_folder, input) = file(&wav(48_000, 20, Encoding::Int24, &values));
+    for (args, said) in [
+        (&["--rate", "16000"][..], "whose signal is the fewest dB above its aliases"),
+        (&[], "whose last sixteenth is the fewest dB below the whole"),
+    ] {
+        let done = check(&[&[text(&input)], args].concat());
+        let out = stdout(&done);
+        assert!(code(&done) < 2, "{}", stderr(&done));
+        assert!(out.contains(said) && !out.contains("strongest aliases"), "{out}");
+        assert!(out.contains("4 more channels are left out here"), "{out}");
+    }
+}
+
+#[test]
+fn a_header_without_a_length_is_said_to_have_none() {
+    let mut bytes = wav(48_000, 1, Encoding::Int16, &tones(48_000.0, 6_000));
+    let (_folder, input) = file(&bytes);
+    assert!(!stderr(&check(&[text(&input)])).contains("gives no length"));
+    bytes[40..44].copy_from_slice(&[0xff; 4]);
+    let (_folder, input) = file(&bytes);
+    let done = check(&[text(&input)]);
+    assert!(stderr(&done).contains("the header gives no length: read to the end of the file"), "{}", stderr(&done));
+}
+
+#[test]
+fn resample_names_its_limits_and_an_empty_file() {
+    let resample = |input: &Path, rate: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_nyquist"));
+        let output = input.with_file_name("out.wav");
+        command.args(["resample", text(input), text(&output), "--force", "--rate", rate]).output().expect("it starts")
+    };
+    let (_folder, input) = file(&wav(48_000, 1, Encoding::Int16, &[]));
+    let done = resample(&input, "44.1");
+    assert_eq!(code(&done), 2);
+    assert!(
+        stderr(&done).contains("--rate must lie between 48 and 48000000 Hz") && stderr(&done).ends_with("got 44.1\n")
+    );
+    let done = resample(&input, "8000");
+    assert_eq!(code(&done), 0);
+    assert!(stderr(&done).contains("the input is empty"), "{}", stderr(&done));
 }

@@ -185,6 +185,9 @@ fn nonsense_is_one_sentence_and_nothing_is_written() {
         assert!(stderr(&done).contains(words), "{args:?}: {}", stderr(&done));
         assert!(!out.exists());
     }
+    let (_folder, one) = file(48_000, 1, Encoding::Int16, &[0.5]);
+    let done = spectrum(&[text(&one), "-o", text(&out), "--spectrogram"]);
+    assert!(stderr(&done).contains("at least 2048 needed, got 1\n"), "{}", stderr(&done));
     let (_folder, empty) = file(48_000, 1, Encoding::Int16, &[]);
     let done = spectrum(&[text(&empty), "-o", text(&out)]);
     assert_eq!(code(&done), 2);

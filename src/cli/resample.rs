@@ -1,7 +1,7 @@
 //! `nyquist resample`: sound at another rate.
 
 use crate::cli::number::quotient;
-use crate::cli::sound::{note_oddities, open, pump};
+use crate::cli::sound::{note_oddities, open, pump, reachable};
 use crate::cli::source::Source;
 use crate::cli::working::note;
 use crate::cli::{Failure, files};
@@ -99,6 +99,7 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     let mut reader = open(Source::open(&args.input)?)?;
     let from = reader.format();
     let to = from.with((args.rate.round() as u32).max(1), args.bits.unwrap_or(from.encoding()))?;
+    reachable(f64::from(from.rate()), args.rate)?;
     let converter = Converter::new(f64::from(from.rate()), args.rate, from.channels(), args.quality)?;
     let frames = reader.frames().map(|n| converter.ratio().frames(n));
     let (given, wanted) = (from.encoding(), to.encoding());
@@ -154,6 +155,9 @@ fn tell<R: Read>(reader: &WavReader<R>, wanted: Encoding, clipping: &Clipping) {
         note(&format!("the chunk \"{name}\" ({times}{bytes} bytes) is not carried over"));
     }
     note_oddities(reader);
+    if reader.position() == 0 {
+        note("the input is empty, without a single frame, and so is the output");
+    }
     if let Some(first) = clipping.first_frame {
         let (samples, peak) = (clipping.samples, 20.0 * clipping.peak.log10());
         note(&format!(

@@ -5,6 +5,7 @@ use crate::cli::source::Source;
 use crate::cli::working::{note, progress};
 use nyquist::door::wav::WavReader;
 use nyquist::error::Error;
+use nyquist::rate::Ratio;
 use std::io::Read;
 
 /// Reads the head of a WAV file.
@@ -28,8 +29,27 @@ pub(super) fn pump<R: Read>(
     Ok(())
 }
 
+/// Whether a file of the rate `own` can be brought to `rate`: how far away a rate may be is said in Hz, and of which option.
+pub(super) fn reachable(own: f64, rate: f64) -> Result<(), Failure> {
+    match Ratio::new(own, rate) {
+        Err(Error::OutOfRange { low, high, .. }) => {
+            let got = if (1e-3..1e12).contains(&rate) { format!("{rate}") } else { format!("{rate:e}") };
+            Err(Failure::Trouble(format!(
+                "--rate must lie between {} and {} Hz, between {low} and {high} times the rate of the file, got {got}",
+                own * low,
+                own * high
+            )))
+        }
+        Err(error) => Err(error.into()),
+        Ok(_) => Ok(()),
+    }
+}
+
 /// Says what is odd about a file that has been read to its end, and harmless.
 pub(super) fn note_oddities<R: Read>(reader: &WavReader<R>) {
+    if reader.frames().is_none() && reader.position() > 0 {
+        note("the header gives no length: read to the end of the file");
+    }
     if reader.trailing() > 0 {
         note(&format!("{} bytes after the sound are no chunk: ignored", reader.trailing()));
     }

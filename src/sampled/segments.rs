@@ -3,6 +3,7 @@
 
 use crate::engine::fft::{Butterflies, RealFft};
 use crate::error::{Error, Result};
+use crate::num::mean::mean;
 use crate::parallel;
 use crate::sampled::window::Window;
 use num_complex::Complex;
@@ -22,6 +23,9 @@ pub enum Detrend {
     /// Its mean, so that a constant does not leak into the lowest bins.
     #[default]
     Mean,
+    /// Its mean under the window, `Σwx/Σw`, so that the first bin is empty. The plain mean of a tone that does not end with
+    /// a period is not zero: what is taken away with it would stand at zero under a window that has no such side lobes.
+    WindowedMean,
 }
 
 /// How records are cut: the length of segments, how far one starts after another, the window over each.
@@ -226,15 +230,24 @@ impl Periodograms {
 
 impl Bench {
     fn run(&mut self, samples: &[f64], weights: &[f64], fft: &RealFft<f64>, detrend: Detrend) {
-        let mean = match detrend {
+        let away = match detrend {
             Detrend::None => 0.0,
-            Detrend::Mean => samples.iter().sum::<f64>() / samples.len() as f64,
+            Detrend::Mean => mean(samples),
+            Detrend::WindowedMean => weighted_mean(samples, weights),
         };
         self.windowed.clear();
-        self.windowed.extend(samples.iter().zip(weights).map(|(v, w)| (v - mean) * w));
+        self.windowed.extend(samples.iter().zip(weights).map(|(v, w)| (v - away) * w));
         self.half.resize(samples.len() / 2 + 1, Complex::default());
         fft.forward(&self.windowed, &mut self.half).expect(LENGTH);
         self.powers.clear();
         self.powers.extend(self.half.iter().map(|z| z.norm_sqr()));
     }
+}
+
+/// `Σwx/Σw`, with that of what is left added once more, as [`mean`] does.
+pub(crate) fn weighted_mean(samples: &[f64], weights: &[f64]) -> f64 {
+    let sum: f64 = weights.iter().sum();
+    let of = |away: f64| samples.iter().zip(weights).map(|(v, w)| (v - away) * w).sum::<f64>() / sum;
+    let first = of(0.0);
+    first + of(first)
 }

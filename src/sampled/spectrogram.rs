@@ -33,6 +33,7 @@ pub struct SpectrogramWriter {
     rate: f64,
     periodograms: Periodograms,
     lanes: Vec<Lane>,
+    frames: usize,
     most: usize,
     /// Bins in a row.
     bins: usize,
@@ -65,7 +66,7 @@ impl SpectrogramWriter {
         let periodograms = Periodograms::new(segments, channels)?;
         let bins = (segments.length() / 2 + 1).div_ceil(rows);
         let lane = Lane { columns: Vec::new(), each: 1, last: 0 };
-        Ok(Self { rate, periodograms, lanes: vec![lane; channels], most: columns, bins })
+        Ok(Self { rate, periodograms, lanes: vec![lane; channels], frames: 0, most: columns, bins })
     }
 
     /// Takes whole frames, one value for each channel in turn.
@@ -74,7 +75,9 @@ impl SpectrogramWriter {
     /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`]; nothing has been taken then.
     pub fn push(&mut self, frames: &[f64]) -> Result<()> {
         let Self { periodograms, lanes, most, bins, .. } = self;
-        periodograms.push(frames, |channel, powers| lanes[channel].add(powers, *bins, *most))
+        periodograms.push(frames, |channel, powers| lanes[channel].add(powers, *bins, *most))?;
+        self.frames += frames.len() / self.lanes.len();
+        Ok(())
     }
 
     /// Ends the record; a spectrogram for each channel. A last column with fewer segments than the others is dropped.
@@ -82,12 +85,12 @@ impl SpectrogramWriter {
     /// # Errors
     /// [`Error::TooFew`] where the record is shorter than a segment.
     pub fn finish(self) -> Result<Vec<Spectrogram>> {
-        let Self { rate, periodograms, mut lanes, most, bins } = self;
+        let Self { rate, periodograms, mut lanes, frames, most, bins } = self;
         let segments = periodograms.segments();
         periodograms.finish(|channel, powers| lanes[channel].add(powers, bins, most));
         let least = segments.length();
         if lanes.iter().any(|lane| lane.columns.is_empty()) {
-            return Err(Error::TooFew { what: "samples of a spectrogram: those of a segment", least, got: 0 });
+            return Err(Error::TooFew { what: "samples of a spectrogram: those of a segment", least, got: frames });
         }
         Ok(lanes.into_iter().map(|lane| lane.finish(rate, segments, bins)).collect())
     }

@@ -135,3 +135,15 @@ fn nonsense_is_refused_and_nothing_taken() {
     assert!(welch.push(&[1.0, f64::NAN]).is_err());
     assert!(welch.finish().is_err());
 }
+
+#[test]
+fn means_of_loud_constants_are_taken_away_to_the_last_bit() {
+    // a plain sum of 8192 times 0.1, divided, is not 0.1
+    let constant = vec![0.1; 8_192];
+    // of the mean under the window one rounding of 0.1 may be left
+    for (detrend, most) in [(Detrend::Mean, 0.0), (Detrend::WindowedMean, 0.1 * f64::EPSILON)] {
+        let segments = Segments::new(8_192, 8_192, Window::Hann).unwrap().detrend(detrend);
+        let spectrum = welch(&constant, 48_000.0, segments).unwrap();
+        assert!(spectrum.amplitude(0) <= most, "{detrend:?}: {:e}", spectrum.amplitude(0));
+    }
+}

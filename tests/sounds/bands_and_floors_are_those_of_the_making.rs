@@ -113,3 +113,29 @@ fn too_few_frames_are_refused() {
     assert!(meter.push(&[1.0]).is_err() && meter.push(&[1.0, f64::INFINITY]).is_err());
     assert!(meter.finish().is_err(), "nothing was taken");
 }
+
+#[test]
+fn a_low_tone_alone_is_a_tone_and_noise_that_rises_towards_zero_is_none() {
+    for (frequency, frames) in [(10.0, 240_000), (20.0, 240_000), (33.3, 240_000), (33.3, 96_000), (100.0, 48_000)] {
+        let values: Vec<f64> = (0..frames).map(|i| tone(0.9, frequency, 0.3, RATE, i)).collect();
+        let sound = heard(RATE, &values);
+        let channel = &sound.channels()[0];
+        let lines = channel.lines();
+        let line = lines.first().expect("there is a tone");
+        // without any noise the side lobes of the window are seen, 188 dB down
+        let lobes = lines[1..].iter().all(|other| other.amplitude < 10f64.powf(-188.0 / 20.0) * line.amplitude);
+        assert!(lobes, "{frequency} Hz: {lines:?}");
+        // beside zero to a bin and 1 dB
+        assert!((line.frequency - frequency).abs() < channel.spectrum().step(), "{frequency} Hz: {line:?}");
+        assert!((20.0 * (line.amplitude / 0.9).log10()).abs() < 1.0, "{frequency} Hz: {line:?}");
+    }
+    // steps that are summed: 6 dB an octave; and a ramp, which no mean takes away
+    let walk = noise(5, 240_000).into_iter().scan(0.0, |sum, v| {
+        *sum += 1e-3 * v;
+        Some(*sum)
+    });
+    let ramp = noise(6, 240_000).into_iter().enumerate().map(|(i, v)| 1e-6 * i as f64 + 1e-4 * v);
+    for values in [walk.collect::<Vec<_>>(), ramp.collect()] {
+        assert!(heard(RATE, &values).channels()[0].lines().is_empty());
+    }
+}

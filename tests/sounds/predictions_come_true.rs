@@ -238,3 +238,16 @@ fn a_tone_that_is_cut_off_stays_a_tone() {
         assert!((band - 7_900.0).abs() < 50.0, "{band}");
     }
 }
+
+#[test]
+fn tones_beyond_the_limit_leave_nothing_below_it() {
+    // rounded to 24 bits; their plain mean over a segment, taken away, would stand at 0 Hz: 97 dB below full scale
+    let values: Vec<f64> = (0..96_000)
+        .map(|i| tone(0.3, 4_103.7, 0.2, OWN, i) + tone(0.2, 9_871.3, 0.1, OWN, i))
+        .map(|v| (v * 8_388_608.0).round() / 8_388_608.0)
+        .collect();
+    let outcome = heard(OWN, &values).sampled_at(8_000.0).unwrap()[0].outcomes[0];
+    // the rounding of 24 bits: q²/12, a sixth of it below 4 kHz; twice as much for what of it is in lines
+    let rounding = 2.0f64.powi(-46) / 12.0 / 6.0;
+    assert!(outcome.signal < 2.0 * rounding, "{:e} of {rounding:e}", outcome.signal);
+}

@@ -2,7 +2,7 @@
 
 use crate::cli::Failure;
 use crate::cli::check::{Args, Checked};
-use crate::cli::sound::{note_oddities, open, pump};
+use crate::cli::sound::{note_oddities, open, pump, reachable};
 use crate::cli::source::Source;
 use nyquist::door::wav::WavFormat;
 use nyquist::figure::report::sound::{Subject, report};
@@ -35,12 +35,17 @@ pub(super) fn check(source: Source, args: &Args) -> Result<Checked, Failure> {
     let name = source.name.clone();
     let mut reader = open(source)?;
     let format = reader.format();
+    args.rate.map(|rate| reachable(f64::from(format.rate()), rate)).transpose()?;
     Check::possible(f64::from(format.rate()), args.rate, tolerance)?;
     let mut meter = Meter::new(f64::from(format.rate()), format.channels())?;
     pump(&mut reader, |block| meter.push(block))?;
     let sound = meter.finish().map_err(|error| Failure::trouble(&name, error))?;
     note_oddities(&reader);
-    let check = Check::new(sound, args.rate, tolerance)?;
+    let mut check = Check::new(sound, args.rate, tolerance)?;
+    if !format.encoding().is_float() {
+        // the lower bits of 20 in 24 are empty
+        check = check.rounded_to(0.5f64.powi(i32::from(format.valid_bits()) - 1));
+    }
     let subject = Subject { name: &name, encoding: format.encoding(), check: &check };
     Ok(Checked { report: report(&subject), json: json(&name, format, &check), fine: check.fine() })
 }
@@ -58,6 +63,7 @@ fn json(name: &str, format: WavFormat, check: &Check) -> Value {
         "checked_rate": check.rate(),
         "tolerance_db": check.tolerance(),
         "fine": check.fine(),
+        "only_rounding": check.only_rounding(),
         "ratio_db": check.ratio(),
         "worst_channel": check.worst() + 1,
         "smallest_rate": sound.smallest_rate(check.tolerance()),

@@ -4,7 +4,7 @@ use crate::error::Result;
 use crate::inspect::sound::ending::Ending;
 use crate::inspect::sound::floor::Floor;
 use crate::inspect::sound::levels::Levels;
-use crate::inspect::sound::line::{Line, lines};
+use crate::inspect::sound::line::{Line, lines, lowest};
 use crate::inspect::sound::moment::{Lane, Moment};
 use crate::sampled::welch::PowerSpectrum;
 
@@ -12,6 +12,8 @@ use crate::sampled::welch::PowerSpectrum;
 const EDGE: f64 = 1.0 / 16.0;
 /// The part of the power above the end of a spectrum that is not passed over.
 const MISSED: f64 = 1e-6;
+/// The part of the power below which no spectrum is said to end, unless the rest is its noise.
+const NEARLY_ALL: f64 = 0.9999;
 
 /// What a [`Meter`](super::Meter) has heard of one channel.
 #[derive(Debug, Clone)]
@@ -73,13 +75,14 @@ impl Channel {
     /// last moment only, how that of the whole does.
     pub fn ending(&self) -> Option<Ending> {
         let floor = self.floor()?;
-        let ending = Ending::of(&self.spectrum, &floor, self.averages);
+        let band = self.occupied(NEARLY_ALL).ok().flatten().unwrap_or_default();
+        let ending = Ending::of(&self.spectrum, &floor, self.averages, band);
         let above = |spectrum: &PowerSpectrum, at: f64| spectrum.power(at, 0.5 * spectrum.rate()) / spectrum.total();
         let missed = ending.at().is_some_and(|at| {
             let here = above(&self.whole, at);
             here > MISSED && here > 2.0 * above(&self.spectrum, at)
         });
-        Some(if missed { Ending::of(&self.whole, &floor, self.averages) } else { ending })
+        Some(if missed { Ending::of(&self.whole, &floor, self.averages, band) } else { ending })
     }
 
     /// The lines of the spectrum, the strongest first.
@@ -100,12 +103,24 @@ impl Channel {
         if self.silent() { Vec::new() } else { lines(&self.spectrum, self.averages) }
     }
 
+    /// The frequency in Hz, three bins, below which a tone cannot be told apart from the mean and its drift.
+    pub fn lowest_line(&self) -> f64 {
+        lowest(&self.spectrum)
+    }
+
     /// The mean square of the last sixteenth of the spectrum below the Nyquist frequency. What lay as near beyond it when
     /// the sound was sampled was about as strong, and has folded, as far as no filter took it away: so it says how
     /// much of the sound may be aliases.
     pub fn edge_power(&self) -> f64 {
         let nyquist = 0.5 * self.spectrum.rate();
         self.power_within((1.0 - EDGE) * nyquist, nyquist)
+    }
+
+    /// Whether the last sixteenth holds no more than rounding to multiples of `step` leaves there, `step²/12` over all
+    /// frequencies, three times as much with triangular dither; twice that, since a sixteenth of the noise of a short
+    /// record scatters. Then nothing there is known to have been sound.
+    pub fn edge_is_rounding(&self, step: f64) -> bool {
+        self.edge_power() <= EDGE * 0.5 * step * step
     }
 
     /// The mean square of what lies within frequencies `from..to`, as a part of [`Levels::power`]; zero of silence.

@@ -1,6 +1,7 @@
 //! The question and its answer: is this sampled well enough, and would it be at another rate?
 
 use crate::error::{Result, within};
+use crate::inspect::sound::channel::Channel;
 use crate::inspect::sound::ending::Ending;
 use crate::inspect::sound::forecast::{Forecast, Way};
 use crate::inspect::sound::levels::dbfs;
@@ -40,6 +41,8 @@ pub struct Check {
     forecasts: Vec<Forecast>,
     worst: usize,
     ratio: f64,
+    /// Whether each channel's last sixteenth holds rounding alone, and the whole is judged at its own rate.
+    rounding: bool,
 }
 
 impl Check {
@@ -68,9 +71,38 @@ impl Check {
                 None => dbfs(channel.levels().power) - dbfs(channel.edge_power()),
             }
         };
-        let ratios = (0..sound.channels().len()).map(|i| (i, ratio(i)));
-        let (worst, ratio) = ratios.reduce(|a, b| if b.1 < a.1 { b } else { a }).unwrap_or((0, f64::INFINITY));
-        Ok(Self { sound, rate, tolerance, forecasts, worst, ratio })
+        let ratios: Vec<f64> = (0..sound.channels().len()).map(ratio).collect();
+        let (worst, ratio) = least(ratios.iter().copied().enumerate()).unwrap_or((0, f64::INFINITY));
+        Ok(Self { sound, rate, tolerance, forecasts, worst, ratio, rounding: false })
+    }
+
+    /// Of a sound whose values are multiples of `step`. At its own rate, noise at the top that is no louder than this
+    /// rounding leaves has not folded, and a channel that has nothing else there is fine.
+    ///
+    /// ```
+    /// use nyquist::inspect::sound::{Check, Meter};
+    /// use nyquist::num::sin_pi;
+    /// // a tone in 8 bits: their rounding is less than 60 dB below it, at the top as everywhere
+    /// let value = |i: u32| 0.1 * sin_pi(2.0 * (997.3 / 48_000.0 * f64::from(i)).fract());
+    /// let mut meter = Meter::new(48_000.0, 1)?;
+    /// meter.push(&(0..48_000).map(|i| (value(i) * 128.0).round() / 128.0).collect::<Vec<_>>())?;
+    /// let check = Check::new(meter.finish()?, None, 60.0)?;
+    /// assert!(!check.fine() && check.rounded_to(1.0 / 128.0).fine());
+    /// # Ok::<(), nyquist::error::Error>(())
+    /// ```
+    #[must_use]
+    pub fn rounded_to(mut self, step: f64) -> Self {
+        if self.rate.is_some() {
+            return self;
+        }
+        let of = |channel: &Channel| dbfs(channel.levels().power) - dbfs(channel.edge_power());
+        let sounding = |channel: &Channel| !channel.silent() && !channel.edge_is_rounding(step);
+        let others = self.sound.channels().iter().enumerate().filter(|(_, channel)| sounding(channel));
+        match least(others.map(|(i, channel)| (i, of(channel)))) {
+            Some((worst, ratio)) => (self.worst, self.ratio) = (worst, ratio),
+            None => self.rounding = true,
+        }
+        self
     }
 
     /// The sound.
@@ -103,9 +135,14 @@ impl Check {
         self.ratio
     }
 
-    /// Whether the ratio reaches the tolerance.
+    /// Whether all channels hold at their top only what [rounding](Self::rounded_to) leaves, or nothing.
+    pub fn only_rounding(&self) -> bool {
+        self.rounding
+    }
+
+    /// Whether the ratio reaches the tolerance, or what would make it too small is [rounding alone](Self::only_rounding).
     pub fn fine(&self) -> bool {
-        self.ratio >= self.tolerance
+        self.rounding || self.ratio >= self.tolerance
     }
 
     /// How much louder than the tolerance allows the aliases get at their loudest moment, as a level in dBFS against the
@@ -120,7 +157,7 @@ impl Check {
     /// How the spectrum of the sound ends: that of the channel that goes up the farthest. `None` of silence.
     pub fn ending(&self) -> Option<Ending> {
         let height = |ending: &Ending| ending.at().unwrap_or(f64::INFINITY);
-        let endings = self.sound.channels().iter().filter_map(super::Channel::ending);
+        let endings = self.sound.channels().iter().filter_map(Channel::ending);
         endings.reduce(|a, b| if height(&b) > height(&a) { b } else { a })
     }
 
@@ -129,4 +166,9 @@ impl Check {
         let keeps = |way: usize| self.forecasts.iter().all(|f| f.outcomes[way].ratio() >= self.tolerance);
         (1..Way::ALL.len()).find(|way| keeps(*way)).map(|way| Way::ALL[way])
     }
+}
+
+/// The channel whose ratio is the least, the first of several.
+fn least(ratios: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f64)> {
+    ratios.reduce(|a, b| if b.1 < a.1 { b } else { a })
 }

@@ -1,6 +1,7 @@
 //! How a spectrum ends.
 
 use crate::inspect::sound::floor::{Floor, ceiling, median};
+use crate::inspect::sound::line::offset;
 use crate::inspect::sound::standard::smallest_standard;
 use crate::inspect::sound::window::reach;
 use crate::sampled::welch::PowerSpectrum;
@@ -42,11 +43,12 @@ pub enum Ending {
 }
 
 impl Ending {
-    pub(super) fn of(spectrum: &PowerSpectrum, floor: &Floor, averages: f64) -> Self {
+    /// `band` is where nearly all of the power lies below.
+    pub(super) fn of(spectrum: &PowerSpectrum, floor: &Floor, averages: f64, band: f64) -> Self {
         let density = spectrum.density();
         let top = TOP * 0.5 * spectrum.rate();
-        // the window widens what it sees by the width of a line
-        let at = |bin: usize| spectrum.frequency(bin.saturating_sub(reach()));
+        // not below the band, as far as something stands out there
+        let at = |bin: usize| highest(spectrum, bin).max(band.min(spectrum.frequency(bin)));
         if let Some((bin, drop)) = cut(density, floor.density).filter(|(bin, _)| at(*bin) <= top) {
             return Self::Cut { at: at(bin), drop: 10.0 * drop.log10() };
         }
@@ -71,6 +73,19 @@ impl Ending {
         let at = self.at()?;
         smallest_standard(|rate| 0.5 * rate > at)
     }
+}
+
+/// Where that stands which a bin is the upper end of: the window widens what it sees by the width of a line, so there is a
+/// largest bin within this width below; a line where that is a peak, a slope where it is not.
+fn highest(spectrum: &PowerSpectrum, bin: usize) -> f64 {
+    let density = spectrum.density();
+    let from = bin.saturating_sub(reach());
+    let largest = (from..=bin).rev().max_by(|a, b| density[*a].total_cmp(&density[*b])).unwrap_or(from);
+    let peak = (1..density.len() - 1).contains(&largest)
+        && density[largest - 1] < density[largest]
+        && density[largest + 1] <= density[largest];
+    let place = largest as f64 + if peak { offset(density[largest - 1], density[largest + 1]) } else { 0.0 };
+    place * spectrum.step()
 }
 
 /// The bin at which a density is cut, and how many times as much as all that is left above lies just below it.

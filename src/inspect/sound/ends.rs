@@ -2,6 +2,7 @@
 
 use crate::engine::fft::{Butterflies, RealFft};
 use crate::inspect::sound::window::{BETA, lobe, width};
+use crate::sampled::segments::weighted_mean;
 use crate::sampled::welch::PowerSpectrum;
 use crate::sampled::window::Window;
 use num_complex::Complex;
@@ -47,15 +48,24 @@ impl Ends {
     /// in one of its wide bins is shared among the narrow ones that it can have come from, as these share their power in
     /// the rest of the sound: so a tone that is cut off stays a line, and a burst at the beginning counts.
     ///
-    /// `frames` is the length of the sound, `mean` what is taken away everywhere. Of the whole the power is right, but for
+    /// `frames` is the length of the sound. At either end the mean under the window of the long segment there is taken away,
+    /// as it is from that segment: the plain mean of a tone is not zero. Of the whole the power is right, but for
     /// the last hundred samples or so at either end; a line is no more exact than a bin.
-    pub(super) fn complete(&self, channel: usize, spectrum: &PowerSpectrum, frames: u64, mean: f64) -> PowerSpectrum {
-        let of = |values: &mut dyn Iterator<Item = &f64>| values.map(|v| v - mean).collect::<Vec<_>>();
-        let first = of(&mut self.first.iter().skip(channel).step_by(self.channels));
-        // power does not know the direction of time
-        let mut last = of(&mut self.last.iter().skip(channel).step_by(self.channels));
-        last.reverse();
+    pub(super) fn complete(&self, channel: usize, spectrum: &PowerSpectrum, frames: u64) -> PowerSpectrum {
         let cut = spectrum.cut();
+        let weights = Window::Kaiser(BETA).values(cut.length());
+        let of = |values: &[f64], reversed: bool| {
+            let mut values: Vec<f64> = values.iter().skip(channel).step_by(self.channels).copied().collect();
+            if reversed {
+                values.reverse();
+            }
+            // there are at least as many frames as a segment has
+            let mean = weighted_mean(&values[..cut.length()], &weights);
+            values.iter_mut().for_each(|v| *v -= mean);
+            values
+        };
+        // power does not know the direction of time
+        let (first, last) = (of(&self.first, false), of(&self.last, true));
         let rest = frames - cut.length() as u64 - (spectrum.segments() - 1) * cut.hop() as u64;
         let half = usize::try_from(frames / 2).unwrap_or(usize::MAX);
         let mut factors = vec![(spectrum.segments() * cut.hop() as u64) as f64; spectrum.density().len()];

@@ -6,6 +6,11 @@ use crate::sampled::welch::PowerSpectrum;
 
 /// How many times the median of its surroundings a line stands out at least: 10 dB.
 const LEAST: f64 = 10.0;
+/// The lowest bin that a line can stand in: what drifts within a segment reads as a line in the second.
+const LOWEST: usize = 3;
+/// How many times all that is beside it a line stands out that has no room below it: 30 dB, more than noise rises towards
+/// zero across the width of a line.
+const LEAST_LOW: f64 = 1000.0;
 
 /// A line of the spectrum: a tone, or what is as narrow as one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,25 +33,30 @@ impl Line {
 /// A line is a bin that is the largest within the width of a line and at least 10 dB above the median of its surroundings
 /// (and above what white noise does once in a thousand records). Where it stands between two bins follows from the
 /// quotient of its neighbours and the transform of the window, `sinh √(β²−π²δ²)/√(β²−π²δ²)`: of a steady tone alone both
-/// frequency and amplitude are exact to rounding. Lines within the window's width of zero or of the Nyquist frequency meet
-/// their own mirror images and are left out; of two within that width of each other only the stronger is seen.
+/// frequency and amplitude are exact to rounding. Lines within the window's width of the Nyquist frequency meet their own
+/// mirror images and are left out; of two within that width of each other only the stronger is seen. Within that width of
+/// zero they meet mirror images too, and the mean that is taken away: they are known to a bin or so, have to stand 30 dB
+/// above what lies beyond, and below [`lowest`] are not told apart from the mean.
 pub(super) fn lines(spectrum: &PowerSpectrum, averages: f64) -> Vec<Line> {
     let density = spectrum.density();
     let (reach, bins) = (reach(), density.len());
     let prominent = LEAST.max(ceiling(averages, bins));
     let around = 8 * reach;
     let mut found = Vec::new();
-    for k in reach..bins.saturating_sub(reach) {
+    for k in LOWEST..bins.saturating_sub(reach) {
         let here = density[k];
-        let largest =
-            density[k - reach..k].iter().all(|p| *p < here) && density[k + 1..=k + reach].iter().all(|p| *p <= here);
+        let largest = density[k.saturating_sub(reach)..k].iter().all(|p| *p < here)
+            && density[k + 1..=k + reach].iter().all(|p| *p <= here);
         if here == 0.0 || !largest {
             continue;
         }
-        let left = &density[k.saturating_sub(around)..k - reach];
+        let left = &density[k.saturating_sub(around)..k.saturating_sub(reach)];
         let right = &density[k + reach + 1..(k + around + 1).min(bins)];
         let surroundings = [left, right].concat();
         if surroundings.is_empty() || here < prominent * median(&surroundings) {
+            continue;
+        }
+        if k < reach && right.iter().take(reach).any(|p| here < LEAST_LOW * p) {
             continue;
         }
         let offset = offset(density[k - 1], density[k + 1]);
@@ -57,8 +67,13 @@ pub(super) fn lines(spectrum: &PowerSpectrum, averages: f64) -> Vec<Line> {
     found
 }
 
+/// The frequency below which no line is told apart from the mean and its drift.
+pub(super) fn lowest(spectrum: &PowerSpectrum) -> f64 {
+    spectrum.frequency(LOWEST)
+}
+
 /// Where between −½ and ½ of a bin a line stands whose neighbours have these powers.
-fn offset(before: f64, after: f64) -> f64 {
+pub(super) fn offset(before: f64, after: f64) -> f64 {
     let wanted = (after / before).sqrt();
     let (mut low, mut high) = (-0.5, 0.5);
     // the quotient rises with the offset; 2⁻⁵² of a bin

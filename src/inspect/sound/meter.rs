@@ -6,7 +6,7 @@ use crate::inspect::sound::ends::Ends;
 use crate::inspect::sound::levels::Gauge;
 use crate::inspect::sound::moment::Moments;
 use crate::inspect::sound::window::BETA;
-use crate::sampled::segments::Segments;
+use crate::sampled::segments::{Detrend, Segments};
 use crate::sampled::welch::Welch;
 use crate::sampled::window::Window;
 
@@ -116,7 +116,7 @@ impl Meter {
 
     /// Segments of so many samples, from the first frame on.
     fn choose(&mut self, length: usize) -> Result<()> {
-        let segments = Segments::new(length, length / PART, Window::Kaiser(BETA))?;
+        let segments = Segments::new(length, length / PART, Window::Kaiser(BETA))?.detrend(Detrend::WindowedMean);
         let welch = Welch::new(self.rate, self.channels, segments)?;
         let moments = Moments::new(self.rate, self.channels, (length / PART).max(LEAST_FRAMES))?;
         let ends = Ends::new(self.channels, length);
@@ -146,7 +146,7 @@ impl Meter {
         let heard = gauges.iter().zip(spectra).zip(moments.finish()).enumerate();
         let channels = heard.map(|(i, ((gauge, spectrum), lane))| {
             let levels = gauge.read();
-            let whole = ends.complete(i, &spectrum, frames, levels.mean);
+            let whole = ends.complete(i, &spectrum, frames);
             Channel::new(levels, spectrum, whole, averages, lane)
         });
         Ok(Sound { rate, frames, channels: channels.collect() })

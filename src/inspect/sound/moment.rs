@@ -2,7 +2,7 @@
 
 use crate::error::Result;
 use crate::inspect::sound::window::BETA;
-use crate::sampled::segments::{Periodograms, Segments};
+use crate::sampled::segments::{Detrend, Periodograms, Segments};
 use crate::sampled::window::Window;
 
 /// A short stretch of sound.
@@ -39,7 +39,8 @@ impl Moments {
     /// Of segments of so many samples.
     pub(super) fn new(rate: f64, channels: usize, length: usize) -> Result<Self> {
         let window = Window::Kaiser(BETA);
-        let periodograms = Periodograms::new(Segments::new(length, length / 4, window)?, channels)?;
+        let segments = Segments::new(length, length / 4, window)?.detrend(Detrend::WindowedMean);
+        let periodograms = Periodograms::new(segments, channels)?;
         let power: f64 = window.values(length).iter().map(|w| w * w).sum();
         let bins = length / 2 + 1;
         let step = rate / length as f64;

@@ -1,6 +1,6 @@
 //! What would alias, where to, and what to do.
 
-use super::file::lines;
+use super::file::{lines, strongest_of};
 use super::{Subject, decibels, exactly, hertz, number};
 use crate::figure::report::Section;
 use crate::inspect::sound::{Forecast, Stretch, Way, dbfs};
@@ -33,14 +33,18 @@ pub(super) fn sections(subject: &Subject) -> Vec<Section> {
     }
 }
 
-/// The channel that the numbers are of, where there are several.
+/// The channel that the numbers are of, where there are several: that of the lowest ratio.
 fn of_channel(subject: &Subject) -> Option<Text> {
     let (all, worst) = (subject.check.sound().channels().len(), subject.check.worst() + 1);
-    (all > 1).then(|| {
-        text!(
-            "Channel {worst} of {all}, the one with the strongest aliases.",
-            "Канал {worst} из {all}: у него алиасы самые сильные."
-        )
+    (all > 1).then(|| match subject.check.rate() {
+        Some(_) => text!(
+            "Channel {worst} of {all}, whose signal is the fewest dB above its aliases.",
+            "Канал {worst} из {all}: у него отношение сигнала к алиасам наименьшее."
+        ),
+        None => text!(
+            "Channel {worst} of {all}, whose last sixteenth is the fewest dB below the whole.",
+            "Канал {worst} из {all}: у него последняя шестнадцатая слабее целого на наименьшее число дБ."
+        ),
     })
 }
 
@@ -128,11 +132,7 @@ fn folded(forecast: &Forecast) -> Section {
         let places = [folded.line.frequency, folded.alias.frequency()];
         places.map(|place| text!("{} Hz", "{} Гц", exactly(place))).into_iter().chain(levels).collect()
     });
-    let section = section.table(head, rows);
-    match forecast.folded.len().saturating_sub(MOST_LINES) {
-        0 => section,
-        more => section.say(text!("The strongest of {}.", "Самые сильные из {}.", more + MOST_LINES)),
-    }
+    strongest_of(section.table(head, rows), forecast.folded.len(), MOST_LINES)
 }
 
 fn stretches(forecast: &Forecast) -> Section {
@@ -153,7 +153,8 @@ fn stretches(forecast: &Forecast) -> Section {
             text!("{} dBFS", "{} dBFS", decibels(dbfs(stretch.power))),
         ]
     });
-    Section::new(text!("By bands", "По полосам")).table(head, rows)
+    let section = Section::new(text!("By bands", "По полосам")).table(head, rows);
+    strongest_of(section, forecast.stretches.len(), MOST_STRETCHES)
 }
 
 fn advice(subject: &Subject, rate: f64, forecast: &Forecast) -> Section {
@@ -234,7 +235,13 @@ fn own(subject: &Subject) -> Section {
         decibels(check.ratio()),
         decibels(dbfs(channel.levels().power))
     ));
-    section = section.say(if check.fine() {
+    section = section.say(if check.only_rounding() {
+        let bits = subject.encoding.bits();
+        text!(
+            "That is no more than the rounding of its {bits} bits leaves there: nothing that could have folded stands out of it.",
+            "Это не больше, чем оставляет там округление до {bits} бит: ничего, что могло бы завернуться, из него не выступает."
+        )
+    } else if check.fine() {
         text!(
             "That is within the tolerance of {tolerance} dB: sound that comes down so far before the Nyquist frequency went on \
              falling beyond it, and little can have folded.",

@@ -53,7 +53,10 @@ pub(super) fn section(subject: &Subject) -> Section {
     section = section.table(head, rows);
     if channels > MOST_CHANNELS {
         let more = channels - MOST_CHANNELS;
-        section = section.say(text!("{more} more channels: see --json.", "Ещё каналов: {more}, см. --json."));
+        section = section.say(text!(
+            "{more} more channels are left out here: see --json.",
+            "Не показано каналов: {more}, см. --json."
+        ));
     }
     section
 }
@@ -132,12 +135,11 @@ pub(super) fn lines(subject: &Subject) -> Option<Section> {
         return None;
     }
     if lines.is_empty() {
-        return Some(
-            Section::new(heading).say(text!(
-                "None stands 10 dB above its surroundings.",
-                "Ни один не выступает над окружением на 10 дБ."
-            )),
-        );
+        return Some(Section::new(heading).say(text!(
+            "None stands 10 dB above its surroundings; below {} Hz none could be told apart from the mean.",
+            "Ни один не выступает над окружением на 10 дБ; ниже {} Гц их не отличить от среднего.",
+            hertz(channel.lowest_line())
+        )));
     }
     let head = [text!("frequency", "частота"), text!("level", "уровень")];
     let rows = lines.iter().take(MOST_LINES).map(|line| {
@@ -146,5 +148,14 @@ pub(super) fn lines(subject: &Subject) -> Option<Section> {
             text!("{} dBFS", "{} dBFS", decibels(dbfs(line.power()))),
         ]
     });
-    Some(Section::new(heading).table(head, rows))
+    Some(strongest_of(Section::new(heading).table(head, rows), lines.len(), MOST_LINES))
+}
+
+/// Says of a table how many there are where it shows fewer.
+pub(super) fn strongest_of(section: Section, all: usize, shown: usize) -> Section {
+    if all > shown {
+        section.say(text!("The strongest of {all}.", "Самые сильные из {all}."))
+    } else {
+        section
+    }
 }

@@ -23,9 +23,18 @@ pub(super) fn portrait(subject: &Subject, title: Text) -> Portrait {
     let channel = &check.sound().channels()[check.worst()];
     let rate = check.rate().filter(|rate| *rate < check.sound().rate());
     match (rate, check.forecasts().get(check.worst())) {
-        (Some(_), Some(forecast)) if !channel.silent() => folding(channel, forecast, title),
+        (Some(_), Some(forecast)) if !channel.silent() => folding(subject, channel, forecast, title),
         _ => alone(subject, channel, title),
     }
+}
+
+/// What is shown, where there are several channels, after a title: in English and in Russian.
+fn of_channel(subject: &Subject) -> [String; 2] {
+    let (all, shown) = (subject.check.sound().channels().len(), subject.check.worst() + 1);
+    if all == 1 {
+        return [String::new(), String::new()];
+    }
+    [format!(" (channel {shown} of {all})"), format!(" (канал {shown} из {all})")]
 }
 
 /// The levels of a picture: its top and its bottom.
@@ -85,7 +94,7 @@ fn decibel_scale(spectrum: &PowerSpectrum, low: f64, top: f64) -> Scale {
     Scale::linear(text!("dBFS in {} Hz", "dBFS в {} Гц", hertz(width)), low, top)
 }
 
-fn folding(channel: &Channel, forecast: &Forecast, title: Text) -> Portrait {
+fn folding(subject: &Subject, channel: &Channel, forecast: &Forecast, title: Text) -> Portrait {
     let spectrum = channel.whole();
     let (low, top) = levels(spectrum);
     let (own, nyquist) = (0.5 * spectrum.rate(), 0.5 * forecast.rate);
@@ -98,17 +107,21 @@ fn folding(channel: &Channel, forecast: &Forecast, title: Text) -> Portrait {
     let notes: Vec<([f64; 2], Text)> = arrows
         .iter()
         .map(|[from, to]| {
-            let place = [from[0] + 0.08 * own, from[1]];
+            // where there is no room behind it, before it
+            let side = if from[0] > 0.85 * own { -0.08 } else { 0.08 };
+            let place = [from[0] + side * own, from[1] + if side < 0.0 { 0.035 * (top - low) } else { 0.0 }];
             (place, text!("{} → {}", "{} → {}", hertz(from[0]), hertz(to[0])))
         })
         .collect();
+    let [en, ru] = of_channel(subject);
+    let limit = hertz(nyquist);
     let before = Panel::new(
         "before",
-        text!("before: what lies beyond {} Hz folds", "до: всё выше {} Гц заворачивается", hertz(nyquist)),
+        text!("before: what lies beyond {limit} Hz folds{en}", "до: всё выше {limit} Гц заворачивается{ru}"),
         frequencies(own),
         decibel_scale(spectrum, low, top),
     )
-    .legend(Legend::UpperRight)
+    .legend(Legend::Above)
     .span(2)
     .with(Layer::spans("beyond", Meaning::Leaked, [[nyquist, own]]))
     .with(Layer::between("lost", Meaning::Leaked, ground(beyond.clone())).label(text!("will alias", "станет алиасом")))
@@ -197,6 +210,7 @@ fn after(name: &'static str, way: Way, channel: &Channel, forecast: &Forecast, (
     let seen = aliases.iter().any(|p| p[1] > low);
     let area = aliases.iter().map(|[x, y]| [*x, low, y.max(low)]);
     let mut panel = Panel::new(name, title, frequencies(nyquist), decibel_scale(spectrum, low, top))
+        .legend(Legend::Above)
         .with(Layer::line("kept", Meaning::Signal, curve(&inside, nyquist)).label(text!("signal", "сигнал")))
         .with(Layer::between("aliases", Meaning::Leaked, area).label(text!("aliases", "алиасы")))
         .with(Layer::line("aliases-edge", Meaning::Leaked, aliases).thin());
@@ -213,9 +227,10 @@ fn alone(subject: &Subject, channel: &Channel, title: Text) -> Portrait {
     let spectrum = channel.whole();
     let (low, top) = levels(spectrum);
     let own = 0.5 * spectrum.rate();
+    let [en, ru] = of_channel(subject);
+    let name = text!("spectrum{en}", "спектр{ru}");
     let mut panel =
-        Panel::new("spectrum", text!("spectrum", "спектр"), frequencies(own), decibel_scale(spectrum, low, top))
-            .legend(Legend::UpperRight);
+        Panel::new("spectrum", name, frequencies(own), decibel_scale(spectrum, low, top)).legend(Legend::UpperRight);
     if let (Some(floor), Some(ending)) = (channel.floor(), channel.ending()) {
         if let Ending::Cut { at, .. } = ending {
             panel = panel.with(Layer::spans("empty", Meaning::Error, [[at, own]]).label(text!("empty", "пусто")));
