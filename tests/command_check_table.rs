@@ -164,7 +164,7 @@ fn kinds_of_sampling_are_named_in_words() {
         (
             "doubled",
             doubled,
-            &["time stood there before: 2, the first on line 1002", "values differ: 2", "out of order: 1"],
+            &["time stood there before: 2, the first on line 1002", "values differ: 2", "out of order: 1 is earlier"],
             "uniform",
         ),
     ] {
@@ -175,6 +175,9 @@ fn kinds_of_sampling_are_named_in_words() {
             assert!(stdout(&output).contains(words), "{name}: {words}\n{}", stdout(&output));
         }
         assert_eq!(json(&check(&input, &["--json"]))["sampling"]["kind"], kind, "{name}");
+        let noted =
+            stderr(&output).contains("note: 2 rows have a time that stood there before, the first on line 1002");
+        assert_eq!(noted, name == "doubled", "{name}: {}", stderr(&output));
         let russian = check(&input, &["--lang", "ru"]);
         assert!(stdout(&russian).contains("Дискретизация") && !stdout(&russian).contains("Sampling"), "{name}");
     }
@@ -222,6 +225,8 @@ fn small_and_odd_tables_have_an_answer_or_a_sentence() {
     }
     fs::write(&input, "").unwrap();
     assert!(stderr(&check(&input, &[])).contains("empty"));
+    fs::write(&input, b"\xff\xd8").unwrap();
+    assert!(stderr(&check(&input, &[])).contains("it may be no text"), "{}", stderr(&check(&input, &[])));
     fs::write(&input, b"\xff\xfet\0,\0v\0\n\0").unwrap();
     assert!(stderr(&check(&input, &[])).contains("UTF-16"));
     let values: String = (0..500).map(|k| format!("{}\n", signal(f64::from(k) / 500.0))).collect();
@@ -242,7 +247,7 @@ fn all_columns_are_looked_into_and_one_bad_is_bad() {
     assert!(code(&all) == 1 && stdout(&all).contains("Column slow [V]") && stdout(&all).contains("fast at 50 Hz"));
     assert_eq!(code(&check(&input, &["--decimal-comma", "--rate", "50", "--column", "slow"])), 0);
     let hint = check(&input, &["--rate", "50"]);
-    assert!(code(&hint) == 2 && stderr(&hint).contains("with decimal-comma it is 0.000"), "{}", stderr(&hint));
+    assert!(code(&hint) == 2 && stderr(&hint).contains("(with --decimal-comma it is 0.000"), "{}", stderr(&hint));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! `nyquist interpolate` as a user meets it.
 #![cfg(feature = "cli")]
 
+use nyquist::num::random::uniform;
 use std::f64::consts::PI;
 use std::fs;
 use std::io::Write;
@@ -214,7 +215,7 @@ fn irregular_samples_say_their_condition_number() {
     }
     let said = interpolate(&[text(&input), "--every", "0.05", "--band", "2.5", "-o", text(&output), "--force"]);
     assert!(
-        stdout(&said).contains("band of 2.49") && stdout(&said).contains("condition number 1."),
+        stdout(&said).contains("band of 2.49") && stdout(&said).contains("condition number at least 1."),
         "{}",
         stdout(&said)
     );
@@ -237,7 +238,7 @@ fn a_band_that_the_density_does_not_support_is_refused_with_the_numbers() {
     assert!(!output.exists());
     let done =
         interpolate(&[text(&input), "--every", "0.5", "--band", "0.4", "--most-condition", "2", "-o", text(&output)]);
-    assert!(code(&done) == 2 && stderr(&done).contains("condition number"), "{}", stderr(&done));
+    assert!(code(&done) == 2 && stderr(&done).contains("condition number is at least"), "{}", stderr(&done));
     let method = interpolate(&[text(&input), "--every", "0.5", "--method", "kaiser", "-o", text(&output)]);
     assert!(code(&method) == 2 && stderr(&method).contains("equally spaced"), "{}", stderr(&method));
 }
@@ -260,7 +261,7 @@ fn times_outside_are_refused_left_out_left_empty_or_extended() {
     );
     assert!(!output.exists());
     let skipped = at(&["--outside", "skip"]);
-    assert!(code(&skipped) == 0 && stderr(&skipped).contains("1 times outside"), "{}", stderr(&skipped));
+    assert!(code(&skipped) == 0 && stderr(&skipped).contains("1 time outside"), "{}", stderr(&skipped));
     assert_eq!(rows(&fs::read_to_string(&output).unwrap()).len(), 2);
     assert_eq!(code(&at(&["--outside", "empty"])), 0);
     assert_eq!(rows(&fs::read_to_string(&output).unwrap())[1], ("3.5".into(), None));
@@ -318,7 +319,7 @@ fn bad_wishes_and_bad_tables_are_one_sentence_and_nothing_is_written() {
         (&good, &["--at", "missing.csv"], "missing.csv"),
         ("t,v\n0,1\n1,oops\n2,2\n", &["--every", "1"], "line 3, column 2 (v): \"oops\" is no number"),
         ("t,v\n0,1\n1,1e999\n", &["--every", "1"], "line 3, column 2 (v): \"1e999\" is too large"),
-        ("t,v\n0,1\n1,\n2,2\n", &["--every", "1"], "line 3, column 2 (v): the cell is empty (skip-missing"),
+        ("t,v\n0,1\n1,\n2,2\n", &["--every", "1"], "line 3, column 2 (v): the cell is empty (--skip-missing"),
         ("t,v\n0,1\n1\n", &["--every", "1"], "line 3: 1 cell, but 2 in the first line"),
         ("t,v\n0,1\n", &["--every", "1"], "at least 2 needed, got 1"),
         ("t,v\n1,1\n1,2\n1,3\n", &["--every", "1"], "all are the same"),
@@ -385,8 +386,8 @@ fn what_is_put_right_is_said() {
     let done = interpolate(&[text(&input), "--skip-missing", "--every", "1", "-o", text(&output)]);
     assert_eq!(code(&done), 0, "{}", stderr(&done));
     for said in [
-        "1 rows with missing values left out, the first on line 7",
-        "1 rows are earlier",
+        "1 row with missing values left out, the first on line 7",
+        "1 row is earlier",
         "first on line 4",
         "stood there before, the first on line 6",
     ] {
@@ -397,4 +398,46 @@ fn what_is_put_right_is_said() {
     fs::write(&input, b"t;T [\xb0C]\n0;1\n1;2\n2;1\n").unwrap();
     let done = interpolate(&[text(&input), "--every", "1", "-o", "-"]);
     assert!(stderr(&done).contains("Latin-1") && stdout(&done).starts_with("t;T [°C]\n"), "{}", stdout(&done));
+}
+
+#[test]
+fn pictures_and_sounds_are_told_to_be_none_of_numbers() {
+    let (_folder, input, output) = folder("");
+    for (bytes, message) in [
+        (&b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR"[..], "this is a picture (PNG or JPEG), and no table"),
+        (b"RIFF\x24\0\0\0WAVEfmt ", "this is a sound (WAV), and no table"),
+        (b"\x7fELF\x02\x01\x01\0\0\0", "nor text, by its first bytes"),
+    ] {
+        fs::write(&input, bytes).unwrap();
+        let done = interpolate(&[text(&input), "--every", "1", "-o", text(&output)]);
+        assert!(code(&done) == 2 && stderr(&done).contains(message), "{message}: {}", stderr(&done));
+    }
+}
+
+#[test]
+fn options_without_effect_are_refused() {
+    let (_folder, input, output) = folder(&table(101));
+    let random: String =
+        (0..40).map(|k| format!("{:.4},{}\n", uniform(2, k, 0) + f64::from(k as u32 / 2), k % 7)).collect();
+    for (args, message) in [
+        (&["--method", "periodic", "--edge", "zero"][..], "--edge has no effect on the method periodic"),
+        (&["--method", "periodic", "--band", "3"], "--band has no effect on the method periodic"),
+        (&["--method", "kaiser", "--most-condition", "9"], "--most-condition has no effect on the method kaiser"),
+        (&["--most-condition", "9"], "--most-condition has no effect on the method kaiser"),
+        (&["--most-condition", "nan"], "\"nan\" is no number from one on"),
+    ] {
+        let done = interpolate(&[&[text(&input), "--every", "0.5", "-o", text(&output)], args].concat());
+        assert!(code(&done) == 2 && stderr(&done).contains(message), "{args:?}: {}", stderr(&done));
+        assert!(!output.exists());
+    }
+    // and where it has one, it is felt
+    fs::write(&input, format!("t,v\n{random}")).unwrap();
+    let at = |most: &str| {
+        let args = ["--band", "0.8", "--most-condition", most, "--every", "1", "-o", text(&output), "--force"];
+        interpolate(&[&[text(&input)], &args[..]].concat())
+    };
+    let (strict, lax) = (at("2"), at("1e9"));
+    assert!(stderr(&strict).contains("above the allowed 2.000e0"), "{}", stderr(&strict));
+    let said = stderr(&lax) + &stdout(&lax);
+    assert!(!said.contains("inf") && said.contains("at least"), "{said}");
 }

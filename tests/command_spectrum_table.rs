@@ -125,3 +125,16 @@ fn bad_wishes_are_one_sentence() {
     }
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
+
+#[test]
+fn rows_that_were_sorted_or_merged_are_noted() {
+    let rows = (0..50).chain([60, 55]).chain((50..200).filter(|k| ![55, 60].contains(k))).chain([30]);
+    let (_folder, input) = folder("t [s],v", rows.map(|k| f64::from(k) / 100.0).map(|t| (t, tone(t))));
+    let output = spectrum(&input, &["-o", "-"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    for note in
+        ["note: 3 rows are earlier than the row before, the first on line 53", "note: 1 row has a time that stood"]
+    {
+        assert!(stderr(&output).contains(note), "{note}: {}", stderr(&output));
+    }
+}

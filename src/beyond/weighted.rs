@@ -47,6 +47,24 @@ pub struct Weighted {
 
 /// Steps of conjugate gradients after which they are given up.
 const MOST_STEPS: usize = 10_000;
+/// Unknowns up to which all directions are kept orthogonal where conjugate gradients do not settle by themselves.
+const MOST_KEPT: usize = 2001;
+
+const UNDETERMINED: &str = "recovery from irregular samples by normal equations, whose rounding hides more than that";
+const UNSETTLED: &str = "recovery from irregular samples by conjugate gradients, which did not settle in 10000 steps and are \
+                         sure to do so only up to that";
+
+/// The condition number `κ` up to which rounding leaves something of the smallest eigenvalue: `1/√(nε)` of `n` unknowns,
+/// since the matrix has `κ²` and its entries are off by `ε`.
+fn determined(unknowns: usize) -> f64 {
+    1.0 / (unknowns as f64 * f64::EPSILON).sqrt()
+}
+
+/// The condition number up to which `s` steps are sure to suffice: errors fall as `2e^{−2s/κ}`, from `κ/ε` on.
+fn sure() -> f64 {
+    let steps = MOST_STEPS as f64;
+    2.0 * steps / (4.0 * steps / f64::EPSILON).ln()
+}
 
 impl Weighted {
     /// The equations for places of a period, up to a degree.
@@ -101,7 +119,7 @@ impl Weighted {
     ///
     /// # Errors
     /// Values of another number than the places, or that are not finite; a degree above the one prepared for; sums that
-    /// are too long; [`Error::IllConditioned`] where ten thousand steps do not suffice.
+    /// are too long; [`Error::IllConditioned`] where ten thousand steps do not suffice, for more than 2001 unknowns.
     pub fn fit(&self, values: &[f64], degree: usize) -> Result<TrigPolynomial> {
         self.prepared(degree)?;
         if values.len() != self.weights.len() {
@@ -111,9 +129,9 @@ impl Weighted {
         all_finite("values at irregular places", values)?;
         let weighted: Vec<f64> = values.iter().zip(&self.weights).map(|(v, w)| v * w).collect();
         let wanted = self.places.harmonics(&weighted, degree)?;
-        let (mut coefficients, ritz) = Toeplitz::new(&self.gram, degree).solve(&wanted, f64::INFINITY);
-        if ritz.steps() >= MOST_STEPS {
-            return Err(ill_conditioned(ritz.condition(), f64::INFINITY));
+        let (mut coefficients, ritz) = Toeplitz::new(&self.gram, degree).settled(&wanted, f64::INFINITY);
+        if !ritz.settled {
+            return Err(ill_conditioned(UNSETTLED, ritz.condition(), sure()));
         }
         coefficients[0].im = 0.0;
         TrigPolynomial::new(self.start..self.start + self.period, coefficients)
@@ -121,18 +139,26 @@ impl Weighted {
 
     /// The condition number of the weighted problem of that degree, the root of that of its matrix: by so much relative
     /// errors of the values may grow. From the values that conjugate gradients pass through on their way to the solution of
-    /// equations with a random right-hand side (Lanczos); an estimate from below that is good to a few per cent.
+    /// equations with a random right-hand side (Lanczos), up to 2001 unknowns with all directions kept orthogonal where
+    /// that is needed; an estimate from below that is good to a few per cent.
     ///
     /// # Errors
-    /// A degree above the one prepared for; [`Error::IllConditioned`] as soon as it is seen to exceed `most`.
+    /// A degree above the one prepared for; [`Error::IllConditioned`], with a lower bound of the condition number, as soon
+    /// as it is seen to exceed `most` or the `1/√(nε)` that `n` unknowns allow in double precision, or where ten thousand
+    /// steps do not settle; its `most` is the limit that was met.
     pub fn condition(&self, degree: usize, most: f64) -> Result<f64> {
         const SEED: u64 = 1;
         self.prepared(degree)?;
         let random = |k: u64| Complex::new(normal(SEED, k, 0), if k == 0 { 0.0 } else { normal(SEED, k, 1) });
         let wanted: Vec<Complex<f64>> = (0..=degree as u64).map(random).collect();
-        let (_, ritz) = Toeplitz::new(&self.gram, degree).solve(&wanted, most);
-        let condition = ritz.condition();
-        if condition <= most { Ok(condition) } else { Err(ill_conditioned(condition, most)) }
+        let limit = determined(2 * degree + 1);
+        let (_, ritz) = Toeplitz::new(&self.gram, degree).settled(&wanted, most.min(limit));
+        match ritz.condition() {
+            condition if condition > most => Err(ill_conditioned("recovery from irregular samples", condition, most)),
+            condition if condition > limit => Err(ill_conditioned(UNDETERMINED, condition, limit)),
+            condition if !ritz.settled => Err(ill_conditioned(UNSETTLED, condition, sure())),
+            condition => Ok(condition),
+        }
     }
 
     fn prepared(&self, degree: usize) -> Result<()> {
@@ -142,8 +168,8 @@ impl Weighted {
     }
 }
 
-fn ill_conditioned(condition: f64, most: f64) -> Error {
-    Error::IllConditioned { what: "recovery from irregular samples", condition, most }
+fn ill_conditioned(what: &'static str, condition: f64, most: f64) -> Error {
+    Error::IllConditioned { what, condition, most }
 }
 
 /// The Hermitian Toeplitz matrix `t_{k−l}`, `|k|, |l| ≤ K`, on coefficients of real signals, of which those from zero on
@@ -178,23 +204,54 @@ impl Toeplitz {
         &self.half[..=self.degree]
     }
 
+    /// The solution, by steps whose directions are kept orthogonal if they do not settle otherwise.
+    fn settled(&mut self, wanted: &[Complex<f64>], most: f64) -> (Vec<Complex<f64>>, Ritz) {
+        let unknowns = 2 * self.degree + 1;
+        if unknowns > MOST_KEPT {
+            return self.solve(wanted, most, MOST_STEPS, false);
+        }
+        // rounding may cost as many steps again as there are unknowns
+        let plain = self.solve(wanted, most, 2 * unknowns, false);
+        if plain.1.settled || plain.1.condition() > most {
+            return plain;
+        }
+        self.solve(wanted, most, unknowns, true)
+    }
+
     /// Conjugate gradients from zero until the residual is lost in rounding, or the condition number is seen to exceed
-    /// `most`.
-    fn solve(&mut self, wanted: &[Complex<f64>], most: f64) -> (Vec<Complex<f64>>, Ritz) {
+    /// `most`, but for so many steps at most; where residuals are `kept`, each is made orthogonal to all before it, and as
+    /// many steps as there are unknowns leave nothing.
+    fn solve(
+        &mut self,
+        wanted: &[Complex<f64>],
+        most: f64,
+        most_steps: usize,
+        kept: bool,
+    ) -> (Vec<Complex<f64>>, Ritz) {
         let mut solution = vec![Complex::ZERO; wanted.len()];
         let (mut residual, mut direction) = (wanted.to_vec(), wanted.to_vec());
         let mut square = inner(&residual, &residual);
         let enough = square * f64::EPSILON * f64::EPSILON;
-        let mut ritz = Ritz::default();
-        while square > enough && ritz.steps() < MOST_STEPS {
+        let (mut ritz, mut before) = (Ritz::default(), Vec::new());
+        while square > enough && ritz.steps() < most_steps {
             let product = self.times(&direction);
             let curvature = inner(&direction, product);
             if curvature <= 0.0 {
-                break; // only rounding makes a Gram matrix indefinite: it has lost rank
+                // only rounding makes a Gram matrix indefinite: it has lost rank
+                ritz.lost = true;
+                break;
             }
             let step = square / curvature;
             solution.iter_mut().zip(&direction).for_each(|(x, d)| *x += d * step);
+            if kept {
+                let size = 1.0 / square.sqrt();
+                before.push(residual.iter().map(|r| r * size).collect::<Vec<_>>());
+            }
             residual.iter_mut().zip(product).for_each(|(r, p)| *r -= p * step);
+            for unit in &before {
+                let part = inner(unit, &residual);
+                residual.iter_mut().zip(unit).for_each(|(r, u)| *r -= u * part);
+            }
             let next = inner(&residual, &residual);
             let turn = next / square;
             direction.iter_mut().zip(&residual).for_each(|(d, r)| *d = r + *d * turn);
@@ -204,6 +261,7 @@ impl Toeplitz {
                 break;
             }
         }
+        ritz.settled = square <= enough || (kept && (ritz.lost || ritz.steps() == most_steps));
         (solution, ritz)
     }
 }
@@ -222,6 +280,10 @@ struct Ritz {
     beside: Vec<f64>,
     /// What the next diagonal entry begins with.
     carried: f64,
+    /// Whether nothing but rounding was left.
+    settled: bool,
+    /// Whether a direction without curvature was met.
+    lost: bool,
 }
 
 impl Ritz {
@@ -238,6 +300,9 @@ impl Ritz {
     /// The root of the ratio of the extreme eigenvalues; one if there are none.
     fn condition(&self) -> f64 {
         let n = self.steps();
+        if self.lost {
+            return f64::INFINITY;
+        }
         if n == 0 {
             return 1.0;
         }

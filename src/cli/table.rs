@@ -3,8 +3,10 @@
 use crate::cli::Failure;
 use crate::cli::number::quotient;
 use crate::cli::source::Source;
+use crate::cli::working::note;
+use nyquist::door::kind::Kind;
 use nyquist::door::table::{Reading, Separator, Table, TimeColumn, ValueColumns, read_table};
-use nyquist::record::Sampling;
+use nyquist::record::{Order, Sampling};
 use serde_json::{Value, json};
 use std::io::Read;
 
@@ -60,6 +62,14 @@ impl Options {
         let Source { name, mut bytes } = source;
         let mut text = Vec::new();
         bytes.read_to_end(&mut text).map_err(|error| Failure::trouble(&name, error))?;
+        let kind = if text.is_empty() { Ok(Kind::Table) } else { Kind::of(&name, &text[..text.len().min(Kind::HEAD)]) };
+        match kind? {
+            Kind::Table => {}
+            Kind::Sound => return Err(Failure::trouble(name, "this is a sound (WAV), and no table of numbers")),
+            Kind::Picture => {
+                return Err(Failure::trouble(name, "this is a picture (PNG or JPEG), and no table of numbers"));
+            }
+        }
         let (separator, decimal_comma, skip_missing) = (self.separator, self.decimal_comma, self.skip_missing);
         Ok(read_table(&name, &text, &Reading { separator, decimal_comma, times, values, skip_missing })?)
     }
@@ -70,9 +80,40 @@ impl Options {
     }
 }
 
+/// So many of something, in English.
+pub(super) fn counted(n: usize, what: &str) -> String {
+    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
+}
+
+/// Notes of what was put right or left out in the rows of a table.
+pub(super) fn tell(table: &Table, sampling: &Sampling) {
+    if table.latin {
+        note("the text is not UTF-8; it was read as Latin-1");
+    }
+    if table.skipped.rows > 0 {
+        let (rows, line) = (counted(table.skipped.rows, "row"), table.skipped.first_line);
+        note(&format!("{rows} with missing values left out, the first on line {line}"));
+    }
+    match sampling.order() {
+        Order::Rising => {}
+        Order::Falling => note("the rows run backwards in time; they were turned round"),
+        Order::Mixed { falls, first } => {
+            let (line, is) = (table.lines[first], if falls == 1 { "is" } else { "are" });
+            let rows = counted(falls, "row");
+            note(&format!("{rows} {is} earlier than the row before, the first on line {line}; all were sorted"));
+        }
+    }
+    let duplicates = sampling.duplicates();
+    if duplicates.rows > 0 {
+        let (has, line) = (if duplicates.rows == 1 { "has" } else { "have" }, table.lines[duplicates.first]);
+        let rows = counted(duplicates.rows, "row");
+        note(&format!("{rows} {has} a time that stood there before, the first on line {line}; means are used"));
+    }
+}
+
 /// The sampling of a table as JSON.
 pub(super) fn sampling(table: &Table, sampling: &Sampling) -> Value {
-    use nyquist::record::{Kind, Order};
+    use nyquist::record::Kind;
     let shown = |position: usize| {
         let row = sampling.row(position);
         table.clock.as_ref().map_or_else(|| sampling.positions()[position].to_string(), |c| c.show(c.times[row]))

@@ -5,7 +5,7 @@ use nyquist::laws::frames::{jittered_cells, random_polynomial};
 use nyquist::num::random::uniform;
 use nyquist::prelude::*;
 use nyquist::record::Recoverable;
-use nyquist::sampled::harmonics::Places;
+use nyquist::sampled::harmonics::{MOST_ORDER, Places};
 
 fn parts(positions: &[f64], period: f64) -> Places {
     Places::Anywhere(positions.iter().map(|x| x / period).collect())
@@ -108,6 +108,44 @@ fn what_is_not_determined_is_refused_with_the_numbers() {
     let equations = Weighted::new(0.0..1.0, Places::Anywhere(vec![0.0, 0.3, 0.6]), 1).unwrap();
     assert!(matches!(equations.fit(&[0.0; 2], 1), Err(Error::Length { .. })));
     assert!(matches!(equations.fit(&[0.0; 3], 2), Err(Error::OutOfRange { .. })));
-    let sum = Places::Anywhere(vec![0.0; 100_000]).harmonics(&vec![0.0; 100_000], 1 << 20);
+    let sum = Places::Anywhere(vec![0.0; 100]).harmonics(&[0.0; 100], MOST_ORDER + 1);
     assert!(matches!(sum, Err(Error::Overflow { .. })));
+}
+
+#[test]
+fn a_large_condition_number_is_that_of_singular_values_or_said_to_be_beyond_telling() {
+    // random places of fifty cells, whose weighted matrix is as bad as its band is high
+    let mut positions: Vec<f64> = (0..50).map(|k| 50.0 * uniform(9, k, 0)).collect();
+    positions.sort_by(f64::total_cmp);
+    let (mut told, mut beyond) = (0, 0);
+    for degree in 4..=24 {
+        let equations = Weighted::new(0.0..50.0, parts(&positions, 50.0), degree).unwrap();
+        let samples = Irregular::new(0.0..50.0, &positions, &[0.0; 50]).unwrap();
+        let mut matrix = samples.matrix(degree);
+        for (mut row, weight) in matrix.rows_mut().into_iter().zip(equations.weights()) {
+            row.mapv_inplace(|v| v * weight.sqrt());
+        }
+        let known = nyquist::num::svd::Svd::of(&matrix).unwrap().condition();
+        let limit = 1.0 / ((2 * degree + 1) as f64 * f64::EPSILON).sqrt();
+        match equations.condition(degree, 1e15) {
+            // the smallest eigenvalue is off by nε of the greatest, as a part of itself by (κ/limit)²
+            Ok(condition) => {
+                let slack = 0.05 + (known / limit).powi(2);
+                assert!((condition / known - 1.0).abs() < slack, "{degree}: {condition:e} {known:e}");
+                told += usize::from(condition > 1e3);
+                // and values of the polynomial itself have an answer
+                assert!(equations.fit(&[1.0; 50], degree).is_ok(), "{degree}");
+            }
+            Err(Error::IllConditioned { most, .. }) => {
+                assert!(known > 0.2 * limit && most == limit, "{degree}: {known:e} {most:e}");
+                beyond += 1;
+            }
+            Err(other) => panic!("{other}"),
+        }
+        if known > 40.0 {
+            let refused = equations.condition(degree, 20.0);
+            assert!(matches!(refused, Err(Error::IllConditioned { most: 20.0, .. })), "{refused:?}");
+        }
+    }
+    assert!(told > 0 && beyond > 0, "{told} {beyond}");
 }

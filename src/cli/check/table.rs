@@ -30,6 +30,7 @@ pub(super) fn check(source: Source, args: &Args) -> Result<Checked, Failure> {
     let check =
         working("looking into the table", || TableCheck::new(table, options.table.step(), look, args.rate, tolerance));
     let check = check.map_err(|error| Failure::trouble(name, error))?;
+    table::tell(&check.table, &check.sampling);
     Ok(Checked { report: report(&check), json: json(&check), fine: check.fine() })
 }
 

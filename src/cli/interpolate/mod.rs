@@ -37,15 +37,17 @@ pub(super) struct Args {
     #[arg(long)]
     method: Option<Method>,
     /// How the record goes on beyond its ends: mirror, wrap, and for kernels zero and clamp
-    #[arg(long, default_value = "mirror")]
-    edge: Edge,
+    /// [default: mirror]
+    #[arg(long)]
+    edge: Option<Edge>,
     /// The band of the signal [default: 0.8 of the Nyquist frequency; for least squares up to 0.9 of what the density
     /// supports, as far as that is well conditioned]
     #[arg(long, value_name = "B", allow_negative_numbers = true)]
     band: Option<f64>,
     /// The largest condition number of least squares that is accepted: noise may grow so many times
-    #[arg(long, value_name = "K", default_value_t = Wanted::default().most_condition)]
-    most_condition: f64,
+    /// [default: 10000]
+    #[arg(long, value_name = "K", value_parser = condition)]
+    most_condition: Option<f64>,
     /// Times outside the record, or in a gap that parts it: error, skip (no row), empty (cells) or extend (as the edge says)
     #[arg(long, value_name = "WHAT", default_value = "error")]
     outside: Outside,
@@ -105,6 +107,41 @@ fn decimal(text: &str) -> Result<Decimal, String> {
     text.replacen(',', ".", 1).parse().map_err(|_| format!("\"{text}\" is no number of up to 36 digits"))
 }
 
+/// A condition number: one or more.
+fn condition(text: &str) -> Result<f64, String> {
+    let value = text.parse().ok().filter(|value: &f64| *value >= 1.0);
+    value.ok_or_else(|| format!("\"{text}\" is no number from one on"))
+}
+
+impl Args {
+    /// What is wanted, if every option has an effect on it.
+    fn wanted(&self, sampling: &Sampling) -> Result<Wanted, Failure> {
+        let even = sampling.axis().is_some();
+        let method = self.method.unwrap_or(if even { Method::Kaiser } else { Method::LeastSquares });
+        let refused = |option: &str, why: &str| {
+            Err(Failure::Trouble(format!("{option} has no effect on the method {}, {why}", method.name())))
+        };
+        match method {
+            Method::Periodic if self.edge.is_some_and(|edge| edge != Edge::Wrap) => {
+                return refused("--edge", "which continues the record as a period (wrap)");
+            }
+            Method::Periodic if self.band.is_some() => return refused("--band", "which passes through all samples"),
+            Method::LeastSquares => {}
+            _ if self.most_condition.is_some() => {
+                return refused("--most-condition", "which solves no equations; it is for least-squares");
+            }
+            _ => {}
+        }
+        let usual = Wanted::default();
+        Ok(Wanted {
+            method: self.method,
+            edge: self.edge.unwrap_or(usual.edge),
+            band: self.band,
+            most_condition: self.most_condition.unwrap_or(usual.most_condition),
+        })
+    }
+}
+
 /// A table, how it was sampled, and the times in it.
 struct Record {
     table: Table,
@@ -129,8 +166,8 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
         return Err(Failure::Trouble("the table and the times cannot both be standard input".into()));
     }
     let record = record(args)?;
+    let wanted = args.wanted(&record.sampling)?;
     let (moments, lines) = moments(args, &record)?;
-    let wanted = Wanted { method: args.method, edge: args.edge, band: args.band, most_condition: args.most_condition };
     let failed = |error: Error| words::explained(&record, error);
     let between = working("preparing", || Interpolator::new(&record.sampling, wanted)).map_err(failed)?;
     let columns = working("solving", || -> Result<Vec<Interpolated<'_>>, Error> {
@@ -155,10 +192,11 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
     if args.json {
         return Ok(writeln!(out, "{:#}", words::json(args, &record, &between, &columns, &moments, outside))?);
     }
-    let mut said = vec![format!("{}: {} rows", args.out.display(), moments.len() - skipped(outside, args.outside))];
+    let rows = table::counted(moments.len() - skipped(outside, args.outside), "row");
+    let mut said = vec![format!("{}: {rows}", args.out.display())];
     said.extend(between.pieces().iter().take(MOST_SAID).map(|piece| words::way(&record, piece)));
     if between.pieces().len() > MOST_SAID {
-        said.push(format!("and {} more pieces", between.pieces().len() - MOST_SAID));
+        said.push(format!("and {} more", table::counted(between.pieces().len() - MOST_SAID, "piece")));
     }
     said.extend(words::misfits(&record, &columns));
     if piped {

@@ -2,13 +2,13 @@
 
 use crate::cli::Failure;
 use crate::cli::interpolate::{Args, Outside, Record, skipped};
-use crate::cli::table::sampling;
+use crate::cli::table::{self, counted, sampling};
 use crate::cli::working::note;
 use nyquist::door::table::Column;
 use nyquist::error::Error;
 use nyquist::inspect::table::units;
 use nyquist::num::mean::mean;
-use nyquist::record::{Interpolated, Interpolator, Kind, Moments, Order, Piece, Way, Windowed};
+use nyquist::record::{Interpolated, Interpolator, Kind, Moments, Piece, Wanted, Way, Windowed};
 use nyquist::text::{number, plain};
 use serde_json::{Value, json};
 
@@ -16,6 +16,15 @@ use serde_json::{Value, json};
 pub(super) fn explained(record: &Record, error: Error) -> Failure {
     let band = matches!(error, Error::OutOfRange { .. } | Error::IllConditioned { .. } | Error::TooFew { .. });
     let sampling = &record.sampling;
+    // what the iteration sees of a condition number is never too much
+    let error = match error {
+        Error::IllConditioned { what, condition, most } => {
+            let seen =
+                if condition.is_finite() { format!("at least {condition:.3e}") } else { "beyond telling".into() };
+            format!("{what}: the condition number is {seen}, above the allowed {most:.3e}")
+        }
+        other => other.to_string(),
+    };
     if !band || sampling.axis().is_some() {
         return Failure::trouble(&record.table.file, error);
     }
@@ -68,34 +77,16 @@ pub(super) fn refused(
 
 /// What was put right, left out or made up.
 pub(super) fn tell(record: &Record, between: &Interpolator, outside: usize, what: Outside) {
-    let (table, sampling) = (&record.table, &record.sampling);
-    if table.latin {
-        note("the text is not UTF-8; it was read as Latin-1");
-    }
-    if table.skipped.rows > 0 {
-        let (rows, line) = (table.skipped.rows, table.skipped.first_line);
-        note(&format!("{rows} rows with missing values left out, the first on line {line}"));
-    }
-    match sampling.order() {
-        Order::Rising => {}
-        Order::Falling => note("the rows run backwards in time; they were turned round"),
-        Order::Mixed { falls, first } => {
-            let line = table.lines[first];
-            note(&format!("{falls} rows are earlier than the row before, the first on line {line}; they were sorted"));
-        }
-    }
-    let duplicates = sampling.duplicates();
-    if duplicates.rows > 0 {
-        let (rows, line) = (duplicates.rows, table.lines[duplicates.first]);
-        note(&format!("{rows} rows have a time that stood there before, the first on line {line}; means are used"));
-    }
+    table::tell(&record.table, &record.sampling);
     let few: usize = between.left_out().iter().map(|stretch| stretch.len()).sum();
     if few > 0 {
-        note(&format!("{few} samples between long gaps are too few to be interpolated"));
+        let few = counted(few, "sample");
+        note(&format!("{few} between long gaps, too few to be interpolated, left out"));
     }
+    let times = counted(outside, "time");
     match what {
-        Outside::Skip if outside > 0 => note(&format!("{outside} times outside the record or in its gaps left out")),
-        Outside::Empty if outside > 0 => note(&format!("{outside} times outside the record or in its gaps left empty")),
+        Outside::Skip if outside > 0 => note(&format!("{times} outside the record or in its gaps left out")),
+        Outside::Empty if outside > 0 => note(&format!("{times} outside the record or in its gaps left empty")),
         _ => {}
     }
 }
@@ -104,7 +95,7 @@ pub(super) fn tell(record: &Record, between: &Interpolator, outside: usize, what
 pub(super) fn way(record: &Record, piece: &Piece) -> String {
     let ends = [piece.stretch.start, piece.stretch.end - 1].map(|position| record.shown(position));
     let n = piece.stretch.len();
-    let start = format!("{} to {}, {n} samples: ", ends[0], ends[1]);
+    let start = format!("{} to {}, {}: ", ends[0], ends[1], counted(n, "sample"));
     start
         + &match &piece.way {
             Way::Kernel { axis, kernel, edge, band, error } => {
@@ -123,7 +114,7 @@ pub(super) fn way(record: &Record, piece: &Piece) -> String {
             }
             Way::Periodic { .. } => "the trigonometric polynomial of this period, exact if it is one".into(),
             Way::LeastSquares(recoverable) => format!(
-                "least squares in a band of {}, condition number {}",
+                "least squares in a band of {}, condition number at least {}",
                 frequency(record, recoverable.band()),
                 plain(&number(recoverable.condition(), 3))
             ),
@@ -178,7 +169,7 @@ pub(super) fn json(
             }),
             Way::Periodic { .. } => json!({ "method": "periodic" }),
             Way::LeastSquares(recoverable) => json!({
-                "method": "least-squares", "edge": args.edge.name(), "band": recoverable.band(),
+                "method": "least-squares", "edge": args.edge.unwrap_or(Wanted::default().edge).name(), "band": recoverable.band(),
                 "condition": recoverable.condition(),
             }),
         };

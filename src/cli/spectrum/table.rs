@@ -35,6 +35,7 @@ pub(super) fn spectrum(source: Source, args: &Args) -> Result<Computed, Failure>
         Ok((Spectra::of(&taken, &unit, &columns, args.window, options.up_to)?, taken))
     });
     let (spectra, taken) = computed.map_err(|error| Failure::trouble(&name, error))?;
+    table::tell(&table, &taken);
     Ok(Computed {
         portrait: spectra.portrait(&name, args.quantity),
         columns: spectra.names(args.quantity),

@@ -247,7 +247,7 @@ impl<'a> Rows<'a> {
                     missing = Some(());
                     return Ok(());
                 }
-                Trouble::Missing(what) => format!("the cell {what} (skip-missing leaves such rows out)"),
+                Trouble::Missing(what) => format!("the cell {what} (--skip-missing leaves such rows out)"),
                 Trouble::TooLarge => format!("{} is too large", shown(&cells[i])),
                 Trouble::Text => format!("{} is no {wanted}{}", shown(&cells[i]), self.hint(&cells[i])),
             };
@@ -305,12 +305,15 @@ impl<'a> Rows<'a> {
     fn hint(&self, cell: &str) -> String {
         let pointed = cell.replacen(',', ".", 1);
         let comma = !self.dialect.decimal_comma && cell.contains(',') && number_of(&pointed).is_ok();
-        if comma { format!(" (with decimal-comma it is {pointed})") } else { String::new() }
+        if comma { format!(" (with --decimal-comma it is {pointed})") } else { String::new() }
     }
 
     fn finish(self, headed: bool, latin: bool) -> Result<Table> {
         let refused = |reason: &str| Err(Error::Format { file: self.file.to_owned(), reason: reason.into() });
         match (self.lines.len(), self.skipped.rows) {
+            (0, 0) if latin => {
+                return refused("there is no row of numbers, and its bytes are no UTF-8: it may be no text");
+            }
             (0, 0) => return refused("there is a header and no row of numbers"),
             (0, _) => return refused("a value is missing in every row"),
             _ => {}

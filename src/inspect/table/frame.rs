@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result, all_finite, positive};
 use crate::record::{Kind, Sampling};
-use crate::sampled::harmonics::{MOST_PRODUCTS, Places};
+use crate::sampled::harmonics::{MOST_ORDER, Places};
 use crate::sampled::window::Window;
 use num_complex::Complex;
 
@@ -46,16 +46,17 @@ impl Frame {
                 let half = 0.5 * length / step;
                 // without a step lines can be told apart beyond half the density, if they are few
                 let wanted = if sampling.kind() == Kind::Irregular { 2.0 * half } else { half };
-                // the sums are those of the weights, twice as far, and of the values
-                if on_grid { half.floor() } else { wanted.min(MOST_PRODUCTS / (3.0 * n as f64)).floor() }
+                // the sums of the weights go twice as far
+                if on_grid { half.floor() } else { wanted.min((MOST_ORDER / 2 - 1) as f64).floor() }
             }
         };
         if order < 1.0 {
             let (what, least) = ("the highest frequency", 1.0 / length);
             return Err(Error::OutOfRange { what, value: up_to.unwrap_or(0.0), low: least, high: f64::MAX });
         }
-        if order > MOST_PRODUCTS {
-            return Err(Error::Overflow { what: "the number of frequencies", value: order, most: MOST_PRODUCTS });
+        let most = nodes.unwrap_or(0).max(MOST_ORDER / 2 - 1) as f64;
+        if order > most {
+            return Err(Error::Overflow { what: "the number of frequencies", value: order, most });
         }
         let order = order as usize;
         let mut weights: Vec<f64> = times.iter().map(|t| window.at(t / length)).collect();

@@ -61,10 +61,10 @@ fn stand_out(column: &ColumnCheck) -> Text {
         _ => {
             let (part, level) = (percent(share), decibels(share));
             text!(
-                "Lines that stand out: {n} (amplitude and phase at the first sample below). Without them {rest} is left in \
-                 the root mean square, {part} of the energy ({level} dB).",
-                "Выделяющихся линий: {n} (ниже амплитуда и фаза в момент первого отсчёта). Без них остаётся \
-                 среднеквадратичное {rest}, {part} энергии ({level} дБ)."
+                "Lines that stand out: {n} (below the amplitude A and the phase φ of each A cos(2πνt + φ), t from the first \
+                 sample on). Without them {rest} is left in the root mean square, {part} of the energy ({level} dB).",
+                "Выделяющихся линий: {n} (ниже амплитуда A и фаза φ каждой A cos(2πνt + φ), t от первого отсчёта). Без них \
+                 остаётся среднеквадратичное {rest}, {part} энергии ({level} дБ)."
             )
         }
     }

@@ -27,7 +27,8 @@ use crate::text::{Text, number};
 /// let said = report(&check);
 /// assert!(said.portrait.title.get(Lang::En).starts_with("tone.csv: 200 samples at 100 Hz; at 50 Hz"));
 /// assert_eq!(said.sections.len(), 3); // the sampling, the column, the new rate
-/// assert!(said.portrait.figure.layer("aliases").is_some());
+/// assert!(said.portrait.figure.layer("aliases").is_some()); // before, and after:
+/// assert!(said.portrait.figure.layer("landed").is_some());
 /// # Ok::<(), nyquist::error::Error>(())
 /// ```
 pub fn report(check: &TableCheck) -> Report {
@@ -94,8 +95,10 @@ fn caption(check: &TableCheck) -> Text {
         None => joined(&start, ".", &Text::EMPTY),
         Some(_) => {
             let arrows = text!(
-                "Arrows lead from each line beyond half the new rate to where it would be seen.",
-                "Стрелки ведут от каждой линии выше половины новой частоты туда, где она окажется."
+                "Arrows lead from each line beyond half the new rate to where it would be seen; beside it the spectrum at \
+                 the new rate, what stays and what has folded.",
+                "Стрелки ведут от каждой линии выше половины новой частоты туда, где она окажется; рядом спектр при новой \
+                 частоте: то, что остаётся, и то, что наложилось."
             );
             joined(&start, ". ", &arrows)
         }

@@ -3,6 +3,7 @@
 use crate::figure::report::table::{frequency, spectrum};
 use crate::figure::{Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::inspect::table::{ColumnCheck, Landing, Prediction, TableCheck};
+use crate::nyquist::Alias;
 use crate::record::Kind;
 use crate::text;
 use crate::text::Text;
@@ -17,14 +18,52 @@ const SHADED: usize = 200;
 /// Samples over time, ways between them where these are not all the same, and the spectrum.
 pub(super) fn figure(check: &TableCheck, column: &ColumnCheck, prediction: Option<&Prediction<'_>>) -> Figure {
     let even = check.sampling.axis().is_some();
-    let figure = Figure::new(if even { 1 } else { 5 }).heights([1.0, 1.15]);
-    if even {
-        return figure.with(samples(check, column)).with(amplitudes(check, column, prediction));
+    let (samples, before) = (samples(check, column), amplitudes(check, column, prediction));
+    let figure = Figure::new(10).heights([1.0, 1.15]);
+    match (prediction.map(|prediction| after(check, column, prediction, &before)), even) {
+        (None, true) => figure.with(samples.span(10)).with(before.span(10)),
+        (None, false) => figure.with(samples.span(10)).with(ways(check).span(4)).with(before.span(6)),
+        (Some(after), true) => figure.with(samples.span(10)).with(before.span(5)).with(after.span(5)),
+        (Some(after), false) => {
+            figure.with(samples.span(6)).with(ways(check).span(4)).with(before.span(5)).with(after.span(5))
+        }
     }
-    figure
-        .with(samples(check, column).span(5))
-        .with(ways(check).span(2))
-        .with(amplitudes(check, column, prediction).span(3))
+}
+
+/// The spectrum at the new rate, as high as that before: what stays, and what lands on it.
+fn after(check: &TableCheck, column: &ColumnCheck, prediction: &Prediction<'_>, before: &Panel) -> Panel {
+    let (found, half) = (&column.found, 0.5 * prediction.rate);
+    let (resolution, high) = (found.spectrum.resolution(), half.min(before.x.range.1));
+    let mut folded = vec![0.0f64; (half / resolution).min(found.spectrum.highest() / resolution) as usize + 1];
+    for [frequency, amplitude] in found.spectrum.amplitudes().filter(|p| p[0] >= half) {
+        let lands = Alias::of(frequency, prediction.rate).map_or(half, |alias| alias.frequency());
+        if let Some(sum) = folded.get_mut((lands / resolution).round() as usize) {
+            *sum += amplitude * amplitude;
+        }
+    }
+    let folds = folded.iter().any(|sum| *sum > 0.0);
+    let folded = folded.iter().enumerate().map(|(m, sum)| [m as f64 * resolution, sum.sqrt()]);
+    let folded: Vec<[f64; 2]> = folded.filter(|p| p[1] > 0.0).collect();
+    let stays: Vec<[f64; 2]> = found.spectrum.amplitudes().filter(|p| p[0] < half).collect();
+    let rate = frequency(check, prediction.rate, 6);
+    let x = Scale { range: (0.0, 1.02 * high), ..before.x.clone() };
+    let mut panel = Panel::new("after", text!("at the rate {rate}", "при частоте {rate}"), x, before.y.clone())
+        .legend(Legend::Above)
+        .with(Layer::line("stays", Meaning::Signal, spectrum::thinned(&stays)).thin());
+    if folds {
+        let folded = Layer::line("folded", Meaning::Leaked, spectrum::thinned(&folded)).thin();
+        panel = panel.with(folded.label(text!("folded", "наложившееся")));
+    }
+    let kept = found.lines.iter().filter(|line| line.frequency < half).map(|line| [line.frequency, line.amplitude]);
+    let kept: Vec<[f64; 2]> = kept.collect();
+    if !kept.is_empty() {
+        panel = panel.with(Layer::dots("kept", Meaning::Samples, kept).label(text!("lines", "линии")));
+    }
+    let landed: Vec<[f64; 2]> = prediction.landings.iter().map(|l| [l.alias.frequency(), l.line.amplitude]).collect();
+    if landed.is_empty() {
+        return panel;
+    }
+    panel.with(Layer::dots("landed", Meaning::Leaked, landed).label(text!("aliases", "образы")))
 }
 
 /// Times from the first on; where there is room, with what that is.

@@ -84,9 +84,10 @@ fn gaps(check: &TableCheck) -> Option<Text> {
     let (gap, position) = check.sampling.largest_gap();
     let (after, line, most) = (check.shown(position), check.line(position), longest.missing);
     let (n, gap) = (gaps.len(), time(check, gap, 4));
+    let (places, are) = (if n == 1 { "place" } else { "places" }, if most == 1 { "is" } else { "are" });
     let share = percent(missing as f64 / (missing + check.sampling.positions().len()) as f64);
     Some(text!(
-        "Missing samples: {missing} ({share}), in {n} places; the most in a row are {most}: {gap} without a sample after \
+        "Missing samples: {missing} ({share}), in {n} {places}; the most in a row {are} {most}: {gap} without a sample after \
          {after} (line {line}).",
         "Пропущено отсчётов: {missing} ({share}), мест: {n}; больше всего подряд {most}: {gap} без отсчётов после {after} \
          (строка {line})."
@@ -124,9 +125,9 @@ fn order(check: &TableCheck) -> Option<Text> {
             "Строки идут назад во времени; порядок обращён."
         )),
         Order::Mixed { falls, first } => {
-            let line = check.table.lines[first];
+            let (line, are) = (check.table.lines[first], if falls == 1 { "is" } else { "are" });
             Some(text!(
-                "The rows are out of order: {falls} are earlier than the row before, the first on line {line}. They were sorted.",
+                "The rows are out of order: {falls} {are} earlier than the row before, the first on line {line}. They were sorted.",
                 "Порядок строк нарушен: раньше предыдущей строк {falls}, первая из них — строка {line}. Строки упорядочены."
             ))
         }

@@ -162,7 +162,7 @@ fn unit(values: &str, positions: &str, quantity: Quantity) -> String {
 }
 
 /// The least and the greatest of each group of neighbours, where there are more points than can be drawn.
-fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+pub(super) fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let group = (2 * points.len()).div_ceil(DRAWN).max(2);
     if points.len() <= DRAWN {
         return points.to_vec();
