@@ -44,7 +44,11 @@ pub struct Question<'a> {
 impl std::fmt::Debug for Question<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let filter = self.filter.map(Kernel::name);
-        f.debug_struct("Question").field("size", &self.size).field("filter", &filter).field("file", &self.file).finish_non_exhaustive()
+        f.debug_struct("Question")
+            .field("size", &self.size)
+            .field("filter", &filter)
+            .field("file", &self.file)
+            .finish_non_exhaustive()
     }
 }
 

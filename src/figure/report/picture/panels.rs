@@ -132,7 +132,9 @@ pub(super) fn portrait(name: &str, image: &Image, checked: &Checked, small: Opti
         .with(part("plain", text!("no filter", "без фильтра").and(&before), &small.plain.part(corner, side)?))
         .with(part("filtered", Text::literal(filter).and(&after), &small.filtered.part(corner, side)?));
     let title = match sections::enlarged(shrinking) {
-        true => text!("{name} at {nw} × {nh}: enlarged, nothing aliases", "{name}, {nw} × {nh}: увеличено, без алиасинга"),
+        true => {
+            text!("{name} at {nw} × {nh}: enlarged, nothing aliases", "{name}, {nw} × {nh}: увеличено, без алиасинга")
+        }
         false => text!("{name} at {nw} × {nh}: what would alias", "{name}, {nw} × {nh}: алиасинг"),
     };
     Ok(Portrait {

@@ -152,7 +152,9 @@ fn seen(found: Option<Found>, predicted: f64, tolerance: Tolerance) -> Text {
     let contrast = percent(found.contrast);
     match found.cause(predicted, least(tolerance)) {
         None => contrast,
-        Some(Cause::Added) => contrast.and(&text!(", more: texture lands there as well", ", больше: туда же попадает текстура")),
+        Some(Cause::Added) => {
+            contrast.and(&text!(", more: texture lands there as well", ", больше: туда же попадает текстура"))
+        }
         Some(Cause::Taken) => contrast.and(&text!(", less: texture takes from it", ", меньше: часть гасит текстура")),
         Some(Cause::Images) => contrast.and(&text!(", ratio not whole", ", отношение не целое")),
     }
