@@ -182,6 +182,8 @@ fn nonsense_is_one_sentence() {
         (&["check", file, "--scale", "0.5", "--tolerance", "nan"], "the tolerance in dB must be finite"),
         (&["check", file, "--scale", "0.5", "--filter", "lanczos"], "known: lanczos-"),
         (&["check", file, "--scale", "0.5", "--filter", "ideal"], "needs every pixel"),
+        (&["check", file, "--scale", "0.5", "--filter", "nome"], "known: none, "),
+        (&["check", file, "--scale", "0.5", "--max-pixels", "NaN"], "room for a pixel"),
         (&["check", file, "--filter", "box"], "--scale"),
         (&["spectrum", file, "-o", "x.bmp"], "a spectrum ends with"),
         (&["spectrum", file, "-o", "x.csv", "--border", "han"], "known: hann"),
@@ -259,4 +261,56 @@ fn a_spectrum_is_drawn_in_both_languages_and_themes() {
     assert_eq!(code(&nyquist(&["spectrum", text(&photograph()), "-o", text(&json)])), 0);
     let report: Value = serde_json::from_slice(&fs::read(&json).unwrap()).unwrap();
     assert_eq!((report["size"][0].as_u64(), report["light"].as_str()), (Some(512), Some("linear")));
+}
+
+#[test]
+fn what_is_found_beside_a_prediction_says_why_it_differs() {
+    let photograph = photograph();
+    // texture of the photograph lands where its grating does
+    for scale in ["0.25", "0.5"] {
+        let (_, report) = json(&["check", text(&photograph), "--scale", scale, "--json"]);
+        let gratings = report["shrinking"]["gratings"].as_array().unwrap();
+        let fine = gratings.iter().find(|g| (g["frequency"][0].as_f64().unwrap() - 0.313).abs() < 1e-3).unwrap();
+        assert!(fine["found"]["none"].as_f64().unwrap() > 2.0 * fine["alone"]["none"].as_f64().unwrap(), "{fine}");
+        assert_eq!(fine["differs"]["none"], "more: texture lands there as well");
+        // and what folds to zero is no moiré
+        let plain = &report["shrinking"]["filters"][0];
+        assert_eq!((plain["moires"][0]["even"].as_bool(), plain["moires"][0]["period"].is_null()), (Some(true), true));
+        assert!(plain["contrast"].as_f64().unwrap() < 0.01 && plain["brightness"].as_f64().unwrap() > 0.02);
+    }
+    for (lang, words, even) in [
+        ("en", "more: texture lands there as well", "becomes an even change of brightness"),
+        ("ru", "больше: туда же попадает текстура", "становится ровным изменением яркости"),
+    ] {
+        let said = stdout(&nyquist(&["check", text(&photograph), "--scale", "0.25", "--lang", lang]));
+        assert!(said.contains(words) && said.contains(even), "{said}");
+    }
+    // a whole ratio has nothing to say of a pure grating, and one that slips has
+    let (_folder, file) = picture(256, 256, stripes);
+    for (scale, differs) in [("0.25", Value::Null), ("0.333333333,0.3", "ratio not whole".into())] {
+        let (_, report) = json(&["check", text(&file), "--scale", scale, "--filter", "none", "--json"]);
+        let grating = &report["shrinking"]["gratings"][0];
+        assert_eq!(grating["differs"]["none"], differs, "{grating}");
+        let [found, alone] = ["found", "alone"].map(|name| grating[name]["none"].as_f64().unwrap());
+        assert!((found / alone - 1.0).abs() < 0.01, "{grating}");
+    }
+}
+
+#[test]
+fn enlarging_has_a_sentence_of_its_own() {
+    let (_folder, file) = picture(64, 64, stripes);
+    let said = stdout(&nyquist(&["check", text(&file), "--scale", "2"]));
+    assert!(
+        said.contains("nothing aliases") && !said.contains("decimated") && !said.contains("what would alias"),
+        "{said}"
+    );
+}
+
+#[test]
+fn commands_to_copy_have_the_name_of_the_file() {
+    let (folder, file) = picture(64, 64, stripes);
+    let spaced = folder.path().join("two words.png");
+    fs::copy(&file, &spaced).unwrap();
+    let said = stdout(&nyquist(&["check", text(&spaced), "--scale", "0.25"]));
+    assert!(said.contains(&format!("nyquist resize '{}' OUT.png --width 16", text(&spaced))), "{said}");
 }

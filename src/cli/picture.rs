@@ -5,7 +5,9 @@ use crate::cli::source::Source;
 use crate::cli::working::note;
 use nyquist::door::carried::{Light, Opened};
 use nyquist::door::{Limits, read_file};
+use nyquist::error::{Error, unknown};
 use nyquist::image::Image;
+use nyquist::kernel::{Kernel, catalog};
 use std::io::Read;
 use std::path::Path;
 
@@ -13,15 +15,46 @@ use std::path::Path;
 #[derive(Debug, Clone, Copy, clap::Args)]
 pub(super) struct Most {
     /// The most pixels of a picture, read or written, in millions; they take 24 MB each in colour
-    #[arg(long, value_name = "MILLIONS", default_value_t = 67.2)]
+    #[arg(long, value_name = "MILLIONS", default_value_t = 67.2, value_parser = millions)]
     max_pixels: f64,
 }
 
 impl Most {
     pub(super) fn limits(self) -> Limits {
-        // not a number and negative ones become nothing
         Limits { pixels: (self.max_pixels * 1e6) as u64 }
     }
+}
+
+/// A number, as an option has it.
+pub(super) fn number(text: &str) -> Result<f64, String> {
+    text.trim().parse().map_err(|_| format!("\"{text}\" is no number"))
+}
+
+fn millions(text: &str) -> Result<f64, String> {
+    let millions = number(text)?;
+    if millions > 0.0 { Ok(millions) } else { Err(format!("there must be room for a pixel, got {millions}")) }
+}
+
+/// The names of filters for another size: none, and the kernels that do not reach for ever.
+pub(super) fn filters() -> impl Iterator<Item = &'static str> {
+    let finite = |name: &&str| catalog::by_name(name).is_ok_and(|kernel| kernel.radius().is_finite());
+    std::iter::once("none").chain(catalog::names().filter(finite))
+}
+
+/// The kernel of a filter; nothing for none.
+pub(super) fn filter(name: &str) -> Result<Option<Box<dyn Kernel>>, Failure> {
+    if name == "none" {
+        return Ok(None);
+    }
+    let kernel = catalog::by_name(name).map_err(|error| match error {
+        Error::Unknown { .. } => unknown("filter", name, filters().chain(catalog::FAMILIES.iter().copied())),
+        other => other,
+    })?;
+    if kernel.radius().is_infinite() {
+        let words = "the filter ideal needs every pixel for each: lanczos-4 or kaiser:8,8 come near it";
+        return Err(Failure::Trouble(words.into()));
+    }
+    Ok(Some(kernel))
 }
 
 /// The picture in a source, and what its file says beside it.

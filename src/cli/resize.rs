@@ -1,6 +1,6 @@
 //! `nyquist resize`: a picture at another size.
 
-use crate::cli::picture::{Most, open};
+use crate::cli::picture::{Most, filter, filters, number, open};
 use crate::cli::source::Source;
 use crate::cli::working::{note, spinner};
 use crate::cli::{Failure, files};
@@ -32,7 +32,7 @@ pub(super) struct Args {
     #[arg(short = 'H', long, value_name = "PIXELS")]
     height: Option<usize>,
     /// The new size as a multiple of the old one
-    #[arg(short, long, value_name = "S", conflicts_with_all = ["width", "height"])]
+    #[arg(short, long, value_name = "S", value_parser = number, conflicts_with_all = ["width", "height"])]
     scale: Option<f64>,
     /// The kernel (names below), or none: every pixel takes the nearest one
     #[arg(short, long, default_value = "mitchell", value_name = "NAME")]
@@ -41,7 +41,7 @@ pub(super) struct Args {
     #[arg(long, default_value = "mirror", value_parser = edge)]
     edge: Edge,
     /// Blur first, by a Gaussian of this standard deviation in pixels of the input
-    #[arg(long, value_name = "SIGMA")]
+    #[arg(long, value_name = "SIGMA", value_parser = number)]
     blur: Option<f64>,
     /// Average the codes instead of the light, as most programs do
     #[arg(long)]
@@ -89,12 +89,6 @@ fn after_help() -> String {
         filters.trim_end_matches(", "),
         catalog::FAMILIES.join(", "),
     )
-}
-
-/// The names of kernels that a resize can use.
-fn filters() -> impl Iterator<Item = &'static str> {
-    let finite = |name: &&str| catalog::by_name(name).is_ok_and(|kernel| kernel.radius().is_finite());
-    std::iter::once("none").chain(catalog::names().filter(finite))
 }
 
 fn edge(name: &str) -> Result<Edge, String> {
@@ -177,22 +171,7 @@ pub(super) fn run(args: &Args, out: &mut impl Write) -> Result<(), Failure> {
         files::distinct(&args.input, &args.output)?;
         files::vacant(&args.output, args.force)?;
     }
-    let kernel = match args.filter.as_str() {
-        "none" => None,
-        name => {
-            let kernel = catalog::by_name(name).map_err(|error| match error {
-                nyquist::error::Error::Unknown { .. } => {
-                    unknown("filter", name, filters().chain(catalog::FAMILIES.iter().copied()))
-                }
-                other => other,
-            })?;
-            if kernel.radius().is_infinite() {
-                let words = "the filter ideal needs every pixel for each: lanczos-4 or kaiser:8,8 come near it";
-                return Err(Failure::Trouble(words.into()));
-            }
-            Some(kernel)
-        }
-    };
+    let kernel = filter(&args.filter)?;
     let way = Way { kernel, blur: args.blur.map(Blur::new).transpose()?, edge: args.edge };
     let light = if args.encoded { Light::Encoded } else { Light::Linear };
     let progress = spinner();

@@ -33,6 +33,8 @@ fn nonsense_is_one_sentence_and_no_file() {
     for (args, words) in [
         (&[input, output][..], "say the new size"),
         (&[input, output, "--scale", "0"], "must be greater than zero and finite, got 0"),
+        (&[input, output, "--scale", "x"], "\"x\" is no number"),
+        (&[input, output, "--scale", "2", "--max-pixels", "NaN"], "room for a pixel"),
         (&[input, output, "--scale=-1"], "must be greater than zero and finite, got -1"),
         (&[input, output, "--scale", "nan"], "must be greater than zero and finite, got NaN"),
         (&[input, output, "--scale", "inf"], "must be greater than zero and finite, got inf"),
@@ -81,12 +83,22 @@ fn hostile_files_are_one_sentence() {
     let rest = bad_index.split_off(palette + 4 + 12 + 4);
     bad_index.truncate(palette - 4);
     let bad_index = [&bad_index[..], &6u32.to_be_bytes(), &colours, &crc, &rest].concat();
+    let data = good.windows(4).position(|w| w == b"IDAT").unwrap();
+    let mut flipped = good.clone();
+    flipped[data + 8] ^= 0x55;
+    let mut corrupt = good.clone();
+    let length = u32::from_be_bytes([0, 1, 2, 3].map(|i| good[data - 4 + i])) as usize;
+    corrupt[data + 4] = 0xff;
+    let sum = crate::running::crc(&corrupt[data..data + 4 + length]);
+    corrupt[data + 4 + length..data + 8 + length].copy_from_slice(&sum);
     for (file, words) in [
+        (flipped, "the chunk IDAT is damaged (its checksum differs)"),
+        (corrupt, "the pixels are damaged"),
         (header(40_000, 25_000), "1000000000 pixels, more than the 67200000 allowed"),
         (header(0, 3), "dimensions"),
         (header(5, 4), "error:"),
-        (good[..good.len() - 30].to_vec(), "error:"),
-        (fs::read(fixture("ramp.jpg")).unwrap()[..900].to_vec(), "error:"),
+        (good[..good.len() - 30].to_vec(), "the PNG ends in the middle"),
+        (fs::read(fixture("ramp.jpg")).unwrap()[..900].to_vec(), "the JPEG ends in the middle"),
         (fs::read(fixture("ramp-cmyk.jpg")).unwrap(), "CMYK"),
         (bad_index, "of a palette of 2"),
         (Vec::new(), "the file is empty"),
@@ -97,6 +109,13 @@ fn hostile_files_are_one_sentence() {
         assert!(said.contains(words) && said.lines().count() == 1 && said.starts_with("error: "), "{words}: {said}");
         assert!(done.stdout.is_empty());
     }
+}
+
+#[test]
+fn what_stands_behind_the_end_is_counted_and_not_read() {
+    let good = png_bytes(&grey(5, 3, |x, _| x / 5.0).into(), Depth::Eight).unwrap();
+    let done = piped(&["-", "-", "--scale", "2"], &[&good[..], &[b'x'; 100]].concat());
+    assert_eq!((code(&done), stderr(&done).as_str()), (0, "note: 100 bytes after the end of the PNG ignored\n"));
 }
 
 #[test]

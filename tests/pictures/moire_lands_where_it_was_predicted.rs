@@ -161,12 +161,14 @@ fn the_checkerboard_of_single_pixels_becomes_a_grey_that_depends_on_where_it_is_
     assert!(wave.frequency.iter().all(|nu| (nu.abs() - 0.5).abs() < 1e-6), "{wave:?}");
     assert!((wave.contrast() - 1.0).abs() < 1e-6, "{wave:?}");
     let moire = predicted.ways[0].moires[0];
+    assert!(moire.even && predicted.ways[0].worst().is_none() && predicted.ways[0].contrast() == 0.0);
+    assert!((predicted.ways[0].brightness() - 1.0).abs() < 1e-6 && !predicted.ways[0].fine);
     assert!(moire.period() > 1e5 && (moire.contrast - 1.0).abs() < 1e-6);
     // as it is: black or white all over
     let small = shrunk(&checks, [64, 64], "none", Edge::Mirror).unwrap();
     assert!(small.values().iter().all(|v| *v == small.at(0, 0)));
     // and with the box grey, as predicted
-    assert!(predicted.way("box").unwrap().contrast() < 1e-12);
+    assert!(predicted.way("box").unwrap().brightness() < 1e-12);
 }
 
 #[cfg(feature = "files")]
@@ -179,7 +181,7 @@ fn of_a_photograph_every_line_is_found_as_predicted() {
         for name in ["none", "box", "tent"] {
             let way = predicted.way(name).unwrap();
             for (wave, moire) in predicted.waves.strongest.iter().zip(&way.moires) {
-                let look = |image: &Image| found(image, wave, moire, size, name).unwrap();
+                let look = |image: &Image| found(image, wave, moire, size, name).unwrap().map(|found| found.contrast);
                 let Some(seen) = look(&photograph) else { continue };
                 // the same picture without the line: what else lands there
                 let near = |u: f64, v: f64| {

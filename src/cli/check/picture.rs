@@ -8,9 +8,10 @@ use crate::cli::working::spinner;
 use nyquist::door::carried::Light;
 use nyquist::figure::report::picture::{self as report, Question};
 use nyquist::inspect::picture::band::{Band, Fall};
+use nyquist::inspect::picture::found::{Cause, Found};
 use nyquist::inspect::picture::sampler::Moire;
 use nyquist::inspect::picture::shrinking::{Shrinking, Tolerance, Way};
-use nyquist::kernel::{Kernel, catalog};
+use nyquist::kernel::Kernel;
 use serde_json::{Value, json};
 
 /// What stands below the options.
@@ -31,7 +32,7 @@ pub(super) struct Options {
     /// What would alias at this scale: one number, or X,Y for width and height
     #[arg(long, value_name = "S", value_parser = scale)]
     scale: Option<[f64; 2]>,
-    /// Judge this filter instead of plain decimation: the exit code is its (see `nyquist kernel`)
+    /// Judge this filter instead of plain decimation: the exit code is its (names in `nyquist resize --help`)
     #[arg(long, value_name = "NAME", requires = "scale")]
     filter: Option<String>,
     #[command(flatten)]
@@ -41,7 +42,7 @@ pub(super) struct Options {
 /// A number, or two with a comma between.
 fn scale(text: &str) -> Result<[f64; 2], String> {
     let number = |part: &str| -> Result<f64, String> {
-        let value: f64 = part.trim().parse().map_err(|_| format!("\"{part}\" is no number"))?;
+        let value = crate::cli::picture::number(part)?;
         if value.is_finite() && value > 0.0 {
             Ok(value)
         } else {
@@ -56,7 +57,7 @@ fn scale(text: &str) -> Result<[f64; 2], String> {
 
 pub(super) fn check(source: Source, args: &Args) -> Result<Checked, Failure> {
     let Options { scale, filter, most } = &args.picture;
-    let filter: Option<Box<dyn Kernel>> = filter.as_deref().map(catalog::by_name).transpose()?;
+    let filter: Option<Box<dyn Kernel>> = filter.as_deref().map_or(Ok(None), crate::cli::picture::filter)?;
     let tolerance = args.tolerance.map_or(Ok(Tolerance::default()), Tolerance::new)?;
     let name = source.name.clone();
     let progress = spinner();
@@ -67,7 +68,8 @@ pub(super) fn check(source: Source, args: &Args) -> Result<Checked, Failure> {
         let [w, h] = [image.width(), image.height()];
         crate::cli::resize::scaled([w, h], s, most.limits())
     });
-    let question = Question { size: size.transpose()?, tolerance, filter: filter.as_deref() };
+    let file = if args.input == std::path::Path::new("-") { "-" } else { name.as_str() };
+    let question = Question { size: size.transpose()?, tolerance, filter: filter.as_deref(), file };
     progress.set_message("looking");
     let checked = report::check(short(&name), &image, question);
     progress.finish_and_clear();
@@ -109,19 +111,32 @@ fn json(
 
 fn of_shrinking(shrinking: &Shrinking, checked: &report::Checked) -> Value {
     let moire = |moire: &Moire| {
-        let period = Some(moire.period()).filter(|period| period.is_finite());
-        json!({ "frequency": moire.frequency, "period": period, "angle": moire.angle(), "contrast": moire.contrast })
+        let period = Some(moire.period()).filter(|_| !moire.even);
+        json!({ "frequency": moire.frequency, "period": period, "angle": moire.angle(), "contrast": moire.contrast,
+            "even": moire.even })
     };
     let gratings = shrinking.waves.strongest.iter().enumerate().map(|(i, wave)| {
         let found = checked.found.get(i).copied().unwrap_or_default();
+        let cause = |which: usize, way: &str| {
+            let predicted = shrinking.way(way)?.moires.get(i)?.contrast;
+            Some(match found[which]?.cause(predicted, 0.1 * shrinking.tolerance.contrast())? {
+                Cause::Added => "more: texture lands there as well",
+                Cause::Taken => "less: texture takes from it",
+                Cause::Images => "ratio not whole",
+            })
+        };
+        let [contrasts, alone] = [|f: Found| f.contrast, |f: Found| f.alone].map(|of: fn(Found) -> f64| {
+            json!({ "none": found[0].map(of), checked.filter.as_str(): found[1].map(of) })
+        });
         json!({ "frequency": wave.frequency, "period": wave.period(), "angle": wave.angle(), "contrast": wave.contrast(),
             "corner": wave.corner, "size": wave.size,
-            "found": { "none": found[0], checked.filter.as_str(): found[1] } })
+            "found": contrasts, "alone": alone,
+            "differs": { "none": cause(0, "none"), checked.filter.as_str(): cause(1, &checked.filter) } })
     });
     let ways = shrinking.ways.iter().map(|way: &Way| {
         let ratio = Some(way.passed.ratio()).filter(|ratio| ratio.is_finite());
         json!({ "filter": way.name, "moires": way.moires.iter().map(moire).collect::<Vec<_>>(),
-            "contrast": way.contrast(), "kept": way.passed.kept, "folded": way.passed.folded, "ratio_db": ratio,
+            "contrast": way.contrast(), "brightness": way.brightness(), "kept": way.passed.kept, "folded": way.passed.folded, "ratio_db": ratio,
             "fine": way.fine })
     });
     let textures = shrinking.textures.iter().map(|t| json!({ "frequency": t.frequency, "contrast": t.contrast }));

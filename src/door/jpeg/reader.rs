@@ -11,7 +11,7 @@ use crate::error::Result;
 use jpeg_decoder::{Decoder, PixelFormat};
 
 pub(in crate::door) fn read(name: &str, bytes: &[u8], limits: Limits, light: Light) -> Result<Opened> {
-    let damaged = |error: jpeg_decoder::Error| refused(name, error.to_string());
+    let damaged = |error: jpeg_decoder::Error| refused(name, in_words(error));
     let mut decoder = Decoder::new(bytes);
     decoder.read_info().map_err(damaged)?;
     let info = decoder.info().ok_or_else(|| refused(name, "there is no header"))?;
@@ -60,6 +60,32 @@ pub(in crate::door) fn read(name: &str, bytes: &[u8], limits: Limits, light: Lig
     let carried = Carried { depth, space, transfer, light, density };
     let stored = picture(grid, &Samples { bytes: &samples, channels, depth }, carried.curve())?;
     Ok(Opened { picture: turned(stored, upright)?, carried, skipped: segments.skipped(), remarks })
+}
+
+/// What the decoder met.
+fn in_words(error: jpeg_decoder::Error) -> String {
+    use jpeg_decoder::UnsupportedFeature as Feature;
+    match error {
+        jpeg_decoder::Error::Io(error) if error.kind() == std::io::ErrorKind::UnexpectedEof => {
+            "the JPEG ends in the middle".into()
+        }
+        jpeg_decoder::Error::Format(what) => format!("the JPEG is damaged: {what}"),
+        jpeg_decoder::Error::Unsupported(feature) => {
+            let kind = match feature {
+                Feature::Hierarchical => "hierarchical".into(),
+                Feature::ArithmeticEntropyCoding => "with arithmetic coding".into(),
+                Feature::SamplePrecision(bits) => format!("of {bits} bits a channel"),
+                Feature::ComponentCount(channels) => format!("of {channels} channels"),
+                Feature::DNL => "with its height behind the data".into(),
+                Feature::SubsamplingRatio | Feature::NonIntegerSubsamplingRatio => {
+                    "with such a subsampling of colours".into()
+                }
+                Feature::ColorTransform(_) => "with such a transform of colours".into(),
+            };
+            format!("a JPEG {kind} is not read")
+        }
+        other => other.to_string(),
+    }
 }
 
 /// Whether the picture goes on where the data have ended.

@@ -4,14 +4,14 @@ use crate::door::carried::{Carried, Density, Depth, Light, Opened, Per, Space};
 use crate::door::files::{Limits, Samples, checked_grid, picture, refused};
 use crate::door::icc;
 use crate::door::png::SRGB_GAMMA;
-use crate::door::png::chunks::Chunks;
+use crate::door::png::chunks::{Chunks, fault};
 use crate::door::transfer::Transfer;
 use crate::error::Result;
 use png::{BitDepth, ColorType, Decoder, Info, SourceChromaticities, Transformations, Unit};
 use std::io::Cursor;
 
 pub(in crate::door) fn read(name: &str, bytes: &[u8], limits: Limits, light: Light) -> Result<Opened> {
-    let damaged = |error: png::DecodingError| refused(name, error.to_string());
+    let damaged = |error: png::DecodingError| refused(name, fault(bytes).unwrap_or_else(|| in_words(&error)));
     // room for one picture of 16-bit colour with alpha, and for a profile
     let room = limits.pixels.saturating_mul(8).saturating_add(1 << 24);
     let limit = png::Limits { bytes: usize::try_from(room).unwrap_or(usize::MAX) };
@@ -50,6 +50,11 @@ pub(in crate::door) fn read(name: &str, bytes: &[u8], limits: Limits, light: Lig
         let frames = animation.num_frames;
         remarks.push(format!("an animation of {frames} frames: only its still picture is read"));
     }
+    match chunks.beyond {
+        0 => {}
+        1 => remarks.push("1 byte after the end of the PNG ignored".into()),
+        n => remarks.push(format!("{n} bytes after the end of the PNG ignored")),
+    }
     if chunks.has(b"iCCP") && info.icc_profile.is_none() {
         remarks.push("the colour profile is damaged and is not carried over".into());
     }
@@ -62,6 +67,37 @@ pub(in crate::door) fn read(name: &str, bytes: &[u8], limits: Limits, light: Lig
     let carried = Carried { depth, space, transfer, light, density };
     let picture = picture(grid, &Samples { bytes: &samples, channels, depth }, carried.curve())?;
     Ok(Opened { picture, carried, skipped: chunks.skipped, remarks })
+}
+
+/// What the decoder met in a file whose chunks are whole.
+fn in_words(error: &png::DecodingError) -> String {
+    match error {
+        png::DecodingError::LimitsExceeded => return "it needs more memory than a picture of the allowed size".into(),
+        png::DecodingError::IoError(_) => return "the PNG ends in the middle".into(),
+        _ => {}
+    }
+    // the decoder tells these apart in words alone
+    let said = error.to_string();
+    if said.starts_with("Corrupt deflate stream") {
+        return "the pixels are damaged (they cannot be decompressed)".into();
+    }
+    if said.starts_with("IDAT or fDAT chunk does not have enough data") {
+        return "there are fewer pixels than the header says".into();
+    }
+    format!("the PNG is damaged: {}", named(&said))
+}
+
+/// The sentence with names of chunks where the decoder prints what it knows of them: `ChunkType { type: IDAT, … }`.
+fn named(said: &str) -> String {
+    let (mut words, mut rest) = (String::new(), said);
+    while let Some((before, after)) = rest.split_once("ChunkType {") {
+        let (fields, behind) = after.split_once('}').unwrap_or((after, ""));
+        let name = fields.split_once("type: ").map_or(fields, |(_, name)| name);
+        words += before;
+        words += name.split(',').next().unwrap_or(name).trim();
+        rest = behind;
+    }
+    (words + rest).trim_end_matches('.').to_owned()
 }
 
 /// What the codes are the colours of: of several answers the one that counts (PNG, third edition, §4.3).

@@ -2,14 +2,17 @@
 
 use crate::axis::{Axis, Edge};
 use crate::error::Result;
+use crate::field::from_fn;
 use crate::grid::Grid;
 use crate::image::Image;
 use crate::image::dft::inverse;
 use crate::image::periodic::periodic_forward;
 use crate::image::resize::{nearest, over, resample};
+use crate::inspect::picture::patch::Patch;
 use crate::inspect::picture::sampler::Moire;
 use crate::inspect::picture::wave::{DARKEST, Wave};
 use crate::kernel::catalog::by_name;
+use crate::num::{cos_pi, sin_pi};
 
 /// The picture shrunk in the way of that name: `none`, or a kernel's.
 ///
@@ -23,15 +26,64 @@ fn onto(image: &Image, grid: Grid, way: &str, edge: Edge) -> Result<Image> {
     if way == "none" { Ok(nearest(image, grid, edge)) } else { resample(image, grid, &by_name(way)?, edge) }
 }
 
+/// What a shrunk picture has where a grating was predicted to land.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Found {
+    /// The contrast there, of the grating and of whatever else lands there.
+    pub contrast: f64,
+    /// That of the grating alone, had it the same amplitude everywhere: shrunk in the same way, seen through the same window.
+    pub alone: f64,
+}
+
+/// Why a contrast that was found is not the predicted one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cause {
+    /// Something else that is too fine lands there as well, and adds to it.
+    Added,
+    /// Something else lands there and takes from it.
+    Taken,
+    /// Other images of the grating itself, which a ratio that is not whole leaves, lie within a bin of the place.
+    Images,
+}
+
+impl Found {
+    /// Why it is not what was predicted, if it is off by more than `least` and more than the window explains.
+    ///
+    /// A grating counts as one where its amplitude is even to a fifth ([`waves`](crate::inspect::picture::waves::waves)):
+    /// what differs by more from the grating alone is not of the grating. Of its own images a tenth is worth a word: that
+    /// is one digit of those that are printed.
+    ///
+    /// ```
+    /// use nyquist::inspect::picture::found::{Cause, Found};
+    /// let cause = |contrast, alone| Found { contrast, alone }.cause(0.010, 0.001);
+    /// assert_eq!(cause(0.031, 0.010), Some(Cause::Added));
+    /// assert_eq!(cause(0.004, 0.010), Some(Cause::Taken));
+    /// assert_eq!(cause(0.008, 0.008), Some(Cause::Images));
+    /// assert_eq!(cause(0.0105, 0.010), None);
+    /// ```
+    pub fn cause(&self, predicted: f64, least: f64) -> Option<Cause> {
+        let Self { contrast, alone } = *self;
+        if (contrast - alone).abs() > least && contrast > 1.25 * alone {
+            Some(Cause::Added)
+        } else if (contrast - alone).abs() > least && contrast < 0.8 * alone {
+            Some(Cause::Taken)
+        } else if (alone - predicted).abs() > least.max(0.1 * predicted) {
+            Some(Cause::Images)
+        } else {
+            None
+        }
+    }
+}
+
 /// How much of a picture is looked at around a grating, at most, along a side.
 const SIDE: usize = 512;
 
-/// The contrast that a shrunk picture has where a grating was predicted to land, found by doing it: what is too fine for the
-/// new size is cut out of the picture around the grating, shrunk alone, and looked at there. (With the rest, the contrast
-/// would be that of what belongs there as well.)
+/// What a shrunk picture has where a grating was predicted to land, found by doing it: what is too fine for the new size is
+/// cut out of the picture around the grating, shrunk alone, and looked at there. (With the rest, the contrast would be that
+/// of what belongs there as well.) The grating alone goes the same way.
 ///
 /// Nothing where there are fewer than 8 new pixels, or fewer than two periods: then it cannot be told from a change of the
-/// mean. Whatever else is too fine and lands within a bin of the place counts as well.
+/// mean.
 ///
 /// ```
 /// use nyquist::prelude::*;
@@ -41,26 +93,40 @@ const SIDE: usize = 512;
 /// let predicted = Shrinking::of(&image, [100, 66], Tolerance::default(), None)?;
 /// let (wave, moire) = (&predicted.waves.strongest[0], &predicted.ways[0].moires[0]);
 /// let there = found(&image, wave, moire, [100, 66], "none")?.unwrap();
-/// assert!((there / moire.contrast - 1.0).abs() < 0.02);
+/// assert!((there.contrast / moire.contrast - 1.0).abs() < 0.02);
+/// assert!((there.contrast / there.alone - 1.0).abs() < 1e-3); // nothing else is in the picture
 /// # Ok::<(), Error>(())
 /// ```
 ///
 /// # Errors
 /// An unknown way; a width or height of zero, or too many pixels.
-pub fn found(image: &Image, wave: &Wave, moire: &Moire, size: [usize; 2], way: &str) -> Result<Option<f64>> {
+pub fn found(image: &Image, wave: &Wave, moire: &Moire, size: [usize; 2], way: &str) -> Result<Option<Found>> {
     let (old, new) = (image.grid(), over(image.grid(), size[0], size[1])?);
     let (across, down) = (Look::of(old.x(), new.x(), wave, 0), Look::of(old.y(), new.y(), wave, 1));
     let periods = (moire.frequency[0] * across.count as f64).abs().max((moire.frequency[1] * down.count as f64).abs());
     if across.few() || down.few() || periods < 2.0 {
         return Ok(None);
     }
-    let part = image.part([across.first, down.first], [across.length, down.length])?;
     let limit = [new.x().nyquist(), new.y().nyquist()];
     let beyond = |u: f64, v: f64| if u.abs() > limit[0] || v.abs() > limit[1] { 1.0 } else { 0.0 };
-    let fine = inverse(&periodic_forward(&part).times(|u, v| beyond(u, v).into()));
-    let small = onto(&fine, Grid::new(across.grid()?, down.grid()?)?, way, Edge::Mirror)?;
-    let there = Wave::at(&small, moire.frequency, [0, 0], [small.width(), small.height()]);
-    Ok(Some(there.amplitude / wave.mean.max(DARKEST)))
+    let contrast = |part: &Image| -> Result<f64> {
+        let fine = inverse(&periodic_forward(part).times(|u, v| beyond(u, v).into()));
+        let small = onto(&fine, Grid::new(across.grid()?, down.grid()?)?, way, Edge::Mirror)?;
+        let there = Wave::at(&small, moire.frequency, [0, 0], [small.width(), small.height()]);
+        Ok(there.amplitude / wave.mean.max(DARKEST))
+    };
+    let part = image.part([across.first, down.first], [across.length, down.length])?;
+    let (corner, size) = ([across.inner[0], down.inner[0]], [across.inner[1], down.inner[1]]);
+    let phasor = Patch::of(image, corner, size).phasor(wave.frequency);
+    // from the middle of the pixels, as the phase is
+    let middle = [0, 1].map(|i| corner[i] as f64 + 0.5 * size[i] as f64);
+    let [u, v] = wave.frequency;
+    let grating = |x: f64, y: f64| {
+        let cycles = 2.0 * (u * (x - middle[0]) + v * (y - middle[1]));
+        phasor.re * cos_pi(cycles) - phasor.im * sin_pi(cycles)
+    };
+    let alone = Image::of(&from_fn(grating), part.grid());
+    Ok(Some(Found { contrast: contrast(&part)?, alone: contrast(&alone)? }))
 }
 
 /// What is looked at along one axis: old pixels with a margin, and the new ones inside.
@@ -68,6 +134,8 @@ struct Look {
     new: Axis,
     first: usize,
     length: usize,
+    /// Where the old pixels without the margin begin, and how many they are.
+    inner: [usize; 2],
     /// The first of the new pixels, and how many.
     start: i64,
     count: usize,
@@ -85,7 +153,7 @@ impl Look {
         let margin = 32 + (8.0 * step) as usize;
         let (from, to) = (first.saturating_sub(margin), (first + length + margin).min(n));
         let count = usize::try_from(end - start).unwrap_or(0).min(new.len());
-        Self { new, first: from, length: to - from, start, count, single: n == 1 }
+        Self { new, first: from, length: to - from, inner: [first, length], start, count, single: n == 1 }
     }
 
     fn few(&self) -> bool {

@@ -88,7 +88,12 @@ impl Patch {
     /// `D = (a·e^{iφ} + a·e^{−iφ}·L)/2` with the window's leak `L` there is solved. At such a frequency itself only one phase
     /// can be seen; the other counts as not there.
     pub(super) fn amplitude(&self, frequency: [f64; 2]) -> f64 {
-        self.solved(self.moments(frequency)[0], frequency).norm()
+        self.phasor(frequency).norm()
+    }
+
+    /// `a·e^{iφ}` of that wave, its phase counted from the middle of the patch.
+    pub(super) fn phasor(&self, frequency: [f64; 2]) -> Complex<f64> {
+        self.solved(self.moments(frequency)[0], frequency)
     }
 
     fn solved(&self, sum: Complex<f64>, [u, v]: [f64; 2]) -> Complex<f64> {

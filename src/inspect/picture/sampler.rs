@@ -18,10 +18,13 @@ pub struct Moire {
     pub frequency: [f64; 2],
     /// Michelson's contrast of its stripes.
     pub contrast: f64,
+    /// Whether less than half a period of it is left in the part where the grating is: that part becomes brighter or darker
+    /// as a whole, and no pattern is seen.
+    pub even: bool,
 }
 
 impl Moire {
-    /// The period across its stripes in new pixels; infinite where it is a change of the mean.
+    /// The period across its stripes in new pixels; infinite at zero frequency.
     pub fn period(&self) -> f64 {
         1.0 / self.frequency[0].hypot(self.frequency[1])
     }
@@ -142,7 +145,10 @@ impl Sampler {
         let own = |at: [f64; 2]| at.iter().all(|nu| (2.0 * nu - (2.0 * nu).round()).abs() < 1e-6);
         let both = if own(wave.frequency) && !own([u, v]) { 2.0 } else { 1.0 };
         let contrast = both * wave.contrast() * gx * gy * self.blurred(wave.frequency).abs();
-        Moire { frequency: [u, v], contrast }
+        let [rx, ry] = self.limit().map(|limit| 2.0 * limit);
+        let periods = [u * rx * wave.size[0] as f64, v * ry * wave.size[1] as f64];
+        let even = periods.iter().all(|periods| periods.abs() < 0.5);
+        Moire { frequency: [u, v], contrast, even }
     }
 
     /// What of a picture's energy stays and what folds.

@@ -75,19 +75,26 @@ impl Way {
         let name = sampler.name().to_owned();
         let mut way = Self { name, moires, passed, fine: false };
         let unseen = passed.contrast(spectrum.mean()) <= tolerance.contrast();
-        way.fine = way.contrast() <= tolerance.contrast() && (unseen || passed.ratio() >= tolerance.ratio());
+        let worst = way.contrast().max(way.brightness());
+        way.fine = worst <= tolerance.contrast() && (unseen || passed.ratio() >= tolerance.ratio());
         way
     }
 
-    /// The grating whose moiré has the highest contrast, and that moiré.
+    /// The grating whose moiré has the highest contrast, and that moiré; what becomes an even change of brightness is none.
     pub fn worst(&self) -> Option<(usize, Moire)> {
-        let numbered = self.moires.iter().copied().enumerate();
+        let numbered = self.moires.iter().copied().enumerate().filter(|(_, moire)| !moire.even);
         numbered.max_by(|a, b| a.1.contrast.total_cmp(&b.1.contrast))
     }
 
     /// The highest contrast of a moiré; zero if there is none.
     pub fn contrast(&self) -> f64 {
         self.worst().map_or(0.0, |(_, moire)| moire.contrast)
+    }
+
+    /// The highest change of brightness, against the mean, that a grating becomes; zero if none does. Which way it goes, and
+    /// how far, hangs on where the new pixels meet the grating: this is the most.
+    pub fn brightness(&self) -> f64 {
+        self.moires.iter().filter(|moire| moire.even).map(|moire| moire.contrast).fold(0.0, f64::max)
     }
 }
 
@@ -184,7 +191,7 @@ impl Shrinking {
     /// The filter whose aliases are weakest, if none is fine.
     pub fn cleanest(&self) -> &Way {
         let worst = |way: &Way| {
-            let contrast = -20.0 * way.contrast().max(1e-12).log10() - self.tolerance.decibels();
+            let contrast = -20.0 * way.contrast().max(way.brightness()).max(1e-12).log10() - self.tolerance.decibels();
             contrast.min(way.passed.ratio() - self.tolerance.ratio())
         };
         self.ways.iter().max_by(|a, b| worst(a).total_cmp(&worst(b))).expect("plain decimation is always there")

@@ -7,7 +7,7 @@ pub mod spectrum;
 use crate::error::Result;
 use crate::figure::report::Report;
 use crate::image::Image;
-use crate::inspect::picture::found::found;
+use crate::inspect::picture::found::{Found, found};
 use crate::inspect::picture::power::PowerSpectrum;
 use crate::inspect::picture::shrinking::{Shrinking, Tolerance};
 use crate::inspect::picture::wave::Wave;
@@ -20,8 +20,8 @@ pub struct Checked {
     pub spectrum: PowerSpectrum,
     /// What shrinking makes of it, if that was asked.
     pub shrinking: Option<Shrinking>,
-    /// The contrasts found where moirés were predicted, in plain decimation and with the [filter](Self::filter).
-    pub found: Vec<[Option<f64>; 2]>,
+    /// What was found where moirés were predicted, in plain decimation and with the [filter](Self::filter).
+    pub found: Vec<[Option<Found>; 2]>,
     /// The filter that the report shows beside plain decimation.
     pub filter: String,
     /// In words, numbers and pictures.
@@ -37,12 +37,18 @@ pub struct Question<'a> {
     pub tolerance: Tolerance,
     /// The filter that is meant; the best one if none.
     pub filter: Option<&'a dyn Kernel>,
+    /// What commands call the file; the name if empty.
+    pub file: &'a str,
 }
 
 impl std::fmt::Debug for Question<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let filter = self.filter.map(Kernel::name);
-        f.debug_struct("Question").field("size", &self.size).field("filter", &filter).finish_non_exhaustive()
+        f.debug_struct("Question")
+            .field("size", &self.size)
+            .field("filter", &filter)
+            .field("file", &self.file)
+            .finish_non_exhaustive()
     }
 }
 
@@ -63,7 +69,8 @@ impl std::fmt::Debug for Question<'_> {
 /// A size of zero, or of more pixels than a grid can have; a filter of infinite radius.
 pub fn check(name: &str, image: &Image, question: Question<'_>) -> Result<Checked> {
     let spectrum = PowerSpectrum::welch(image);
-    let Question { size, tolerance, filter } = question;
+    let Question { size, tolerance, filter, file } = question;
+    let file = if file.is_empty() { name } else { file };
     let shrinking = size.map(|size| Shrinking::with(image, &spectrum, size, tolerance, filter)).transpose()?;
     let shown = match (&shrinking, filter) {
         (_, Some(filter)) => filter.name(),
@@ -78,9 +85,15 @@ pub fn check(name: &str, image: &Image, question: Question<'_>) -> Result<Checke
     let mut checked = Checked { spectrum, shrinking, found, filter: shown, report: Report::empty() };
     checked.report = Report {
         portrait: panels::portrait(name, image, &checked, small.as_ref())?,
-        sections: sections::sections(image, &checked, tolerance)?,
+        sections: sections::sections(image, &checked, tolerance, &quoted(file))?,
     };
     Ok(checked)
+}
+
+/// A name as a shell reads it: in quotes where it has more than letters, digits and what paths are made of.
+fn quoted(name: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "-_./\\:+,@%".contains(c);
+    if name.chars().all(plain) { name.to_owned() } else { format!("'{}'", name.replace('\'', r"'\''")) }
 }
 
 /// The filter to show beside plain decimation: the best one that is a filter, or the cleanest.
@@ -93,8 +106,8 @@ fn shown(shrinking: &Shrinking) -> &str {
     }
 }
 
-/// The contrasts found at the places of all predicted moirés.
-fn done(image: &Image, shrinking: &Shrinking, filter: &str) -> Result<Vec<[Option<f64>; 2]>> {
+/// What was found at the places of all predicted moirés.
+fn done(image: &Image, shrinking: &Shrinking, filter: &str) -> Result<Vec<[Option<Found>; 2]>> {
     let waves = shrinking.waves.strongest.iter().enumerate();
     let at = |i: usize, wave: &Wave, name: &str| match shrinking.way(name) {
         Some(way) => found(image, wave, &way.moires[i], shrinking.size, name),

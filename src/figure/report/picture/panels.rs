@@ -3,16 +3,17 @@
 use crate::axis::Edge;
 use crate::error::Result;
 use crate::figure::report::picture::Checked;
-use crate::figure::report::picture::sections::percent;
+use crate::figure::report::picture::sections::{self, percent};
 use crate::figure::report::picture::spectrum::{fall_panel, plane_panel};
-use crate::figure::{Figure, Layer, Meaning, Panel, Portrait, Scale, Tones};
+use crate::figure::{Figure, Layer, Legend, Meaning, Panel, Portrait, Scale, Tones};
 use crate::image::Image;
-use crate::image::resize::resize;
+use crate::image::resize::{nearest, over, resize};
 use crate::inspect::picture::found::shrunk;
+use crate::inspect::picture::sampler::Moire;
 use crate::inspect::picture::shrinking::{Shrinking, Way};
 use crate::kernel::box_kernel::BoxKernel;
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, number};
 
 /// How many pixels of a picture are drawn along its longer side: as many units as there is room.
 const DRAWN: usize = 288;
@@ -88,14 +89,18 @@ pub(super) fn portrait(name: &str, image: &Image, checked: &Checked, small: Opti
     let box_of = [[-u, -v], [u, -v], [u, v], [-u, v], [-u, -v]];
     let plain = &shrinking.ways[0];
     let waves = &shrinking.waves.strongest;
-    let arrows = waves
-        .iter()
-        .zip(&plain.moires)
-        .map(|(wave, moire)| [wave.frequency, [moire.frequency[0] * 2.0 * u, moire.frequency[1] * 2.0 * v]]);
+    let landing = |moire: &Moire| [moire.frequency[0] * 2.0 * u, moire.frequency[1] * 2.0 * v];
+    let drawn = strongest(&plain.moires);
+    let arrows = drawn.iter().map(|&i| [waves[i].frequency, landing(&plain.moires[i])]);
     let spectrum = spectrum
-        .with(Layer::line("box", Meaning::Guide, box_of).thick())
+        .legend(Legend::Above)
+        .with(Layer::line("box", Meaning::Guide, box_of).thick().label(text!("new limit", "новый предел")))
         .with(Layer::pointers("pointers", Meaning::Leaked, arrows).thick())
-        .with(Layer::dots("gratings", Meaning::Leaked, waves.iter().map(|wave| wave.frequency)));
+        .with(
+            Layer::dots("gratings", Meaning::Leaked, waves.iter().map(|wave| wave.frequency))
+                .label(text!("grating → moiré", "решётка → муар")),
+        )
+        .with(Layer::notes("moirés", Meaning::Leaked, labels(&plain.moires, &drawn, landing)));
     let corner = small.part(image, shrinking);
     let side = [small.plain.width(), small.plain.height()].map(|n| n.min(PART));
     let step = [w as f64 / small.plain.width() as f64, h as f64 / small.plain.height() as f64];
@@ -105,11 +110,11 @@ pub(super) fn portrait(name: &str, image: &Image, checked: &Checked, small: Opti
     let original = {
         let (left, top) = (x0.floor() as usize, y0.floor() as usize);
         let [nx, ny] = [(x1.ceil() as usize).min(w) - left, (y1.ceil() as usize).min(h) - top];
-        image.part([left, top], [nx, ny])?
+        enlarged(&image.part([left, top], [nx, ny])?, side)?
     };
     let filter = &checked.filter;
     let moire = |way: Option<&Way>| match way {
-        Some(way) if !way.moires.is_empty() => text!(": moiré ", ": муар ").and(&percent(way.contrast())),
+        Some(way) if way.worst().is_some() => text!(": moiré ", ": муар ").and(&percent(way.contrast())),
         _ => Text::EMPTY,
     };
     let (before, after) = (moire(shrinking.way("none")), moire(shrinking.way(filter)));
@@ -126,18 +131,67 @@ pub(super) fn portrait(name: &str, image: &Image, checked: &Checked, small: Opti
         .with(part("original", text!("this part", "этот фрагмент"), &original))
         .with(part("plain", text!("no filter", "без фильтра").and(&before), &small.plain.part(corner, side)?))
         .with(part("filtered", Text::literal(filter).and(&after), &small.filtered.part(corner, side)?));
+    let title = match sections::enlarged(shrinking) {
+        true => {
+            text!("{name} at {nw} × {nh}: enlarged, nothing aliases", "{name}, {nw} × {nh}: увеличено, без алиасинга")
+        }
+        false => text!("{name} at {nw} × {nh}: what would alias", "{name}, {nw} × {nh}: алиасинг"),
+    };
     Ok(Portrait {
-        title: text!("{name} at {nw} × {nh}: what would alias", "{name}, {nw} × {nh}: алиасинг"),
+        title,
         caption: text!(
-            "The picture of {w} × {h} pixels; its power spectrum with the Nyquist box of the new raster and pointers from \
-             gratings beyond it to where they land; a part of it as it is, at the new size without a filter, and with \
+            "The picture of {w} × {h} pixels; its power spectrum with the Nyquist box of the new raster (grey), dots at \
+             gratings beyond it, and pointers from the three strongest to where they land, with period in new pixels and \
+             contrast of the moiré; a part of it as it is, at the new size without a filter, and with \
              {filter}, enlarged pixel by pixel. In linear light.",
-            "Изображение {w} × {h} пикселей; его спектр мощности с прямоугольником Найквиста нового растра и стрелками от \
-             решёток за его пределами туда, где они окажутся; фрагмент как есть, в новом размере без фильтра и с фильтром \
+            "Изображение {w} × {h} пикселей; его спектр мощности с прямоугольником Найквиста нового растра (серый), точками на месте \
+             решёток за его пределами и стрелками от трёх сильнейших туда, где они окажутся, с периодом муара в новых \
+             пикселях и его контрастом; фрагмент как есть, в новом размере без фильтра и с фильтром \
              {filter}, увеличенный попиксельно. В линейном свете."
         ),
         figure,
     })
+}
+
+/// How many moirés have a pointer.
+const POINTERS: usize = 3;
+
+/// The strongest moirés, without those that are none.
+fn strongest(moires: &[Moire]) -> Vec<usize> {
+    let mut all: Vec<usize> = (0..moires.len()).filter(|&i| !moires[i].even).collect();
+    all.sort_by(|&a, &b| moires[b].contrast.total_cmp(&moires[a].contrast));
+    all.truncate(POINTERS);
+    all
+}
+
+/// Period and contrast beside the places where moirés land, one below the other where they would meet.
+fn labels(moires: &[Moire], drawn: &[usize], landing: impl Fn(&Moire) -> [f64; 2]) -> Vec<([f64; 2], Text)> {
+    const LINE: f64 = 0.09;
+    let mut places: Vec<([f64; 2], Text)> = drawn
+        .iter()
+        .map(|&i| {
+            let ([u, v], period) = (landing(&moires[i]), number(moires[i].period(), 2));
+            // below the head, and inside the panel
+            let place = [u.clamp(-0.25, 0.25), v.clamp(-0.4, 0.2) + LINE];
+            (place, text!("{period} px · ", "{period} пкс · ").and(&percent(moires[i].contrast)))
+        })
+        .collect();
+    places.sort_by(|a, b| a.0[1].total_cmp(&b.0[1]));
+    for i in 1..places.len() {
+        places[i].0[1] = places[i].0[1].max(places[i - 1].0[1] + LINE);
+    }
+    places
+}
+
+/// A part of the old picture in cells of the size of those of the new one's `side` pixels, or smaller by a whole factor:
+/// panels of both are equally large.
+fn enlarged(part: &Image, side: [usize; 2]) -> Result<Image> {
+    let times = (9 * PART / side[0].max(side[1])).max(1);
+    let [w, h] = side.map(|n| n * times);
+    if w < part.width() || h < part.height() {
+        return resize(part, w, h, &BoxKernel, Edge::Clamp);
+    }
+    Ok(nearest(part, over(part.grid(), w, h)?, Edge::Clamp))
 }
 
 /// The picture, not finer than it is worth drawing.

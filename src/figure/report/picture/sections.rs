@@ -5,6 +5,7 @@ use crate::figure::report::Section;
 use crate::figure::report::picture::Checked;
 use crate::image::Image;
 use crate::inspect::picture::band::{Band, Fall};
+use crate::inspect::picture::found::{Cause, Found};
 use crate::inspect::picture::power::PowerSpectrum;
 use crate::inspect::picture::sampler::Moire;
 use crate::inspect::picture::shrinking::{Shrinking, Tolerance, Way};
@@ -12,12 +13,41 @@ use crate::text;
 use crate::text::{Lang, Text, number};
 
 /// Of a picture that was checked.
-pub(super) fn sections(image: &Image, checked: &Checked, tolerance: Tolerance) -> Result<Vec<Section>> {
+pub(super) fn sections(image: &Image, checked: &Checked, tolerance: Tolerance, file: &str) -> Result<Vec<Section>> {
     let mut all = vec![band(image, &checked.spectrum)?, room(&checked.spectrum, tolerance)?];
     if let Some(shrinking) = &checked.shrinking {
-        all.extend([gratings(checked, shrinking), ways(shrinking), advice(checked, shrinking)]);
+        if enlarged(shrinking) {
+            all.push(enlarging(shrinking, file));
+        } else {
+            all.extend([gratings(checked, shrinking), ways(shrinking), advice(checked, shrinking, file)]);
+        }
     }
     Ok(all)
+}
+
+/// Whether the new raster holds all that the old one does.
+pub(super) fn enlarged(shrinking: &Shrinking) -> bool {
+    shrinking.limit.iter().all(|limit| *limit >= 0.5)
+}
+
+fn command(file: &str, [w, h]: [usize; 2], filter: &str) -> Text {
+    Text::literal(format!("nyquist resize {file} OUT.png --width {w} --height {h} --filter {filter}"))
+}
+
+/// Of a picture that does not shrink.
+fn enlarging(shrinking: &Shrinking, file: &str) -> Section {
+    let [w, h] = shrinking.size;
+    Section::new(text!("Enlarging to {w} × {h}", "Увеличение до {w} × {h}"))
+        .say(text!(
+            "Nothing aliases: the new raster is nowhere coarser than the old one, whatever the filter.",
+            "Алиасинга не будет: новый растр нигде не грубее старого, каким бы ни был фильтр."
+        ))
+        .say(text!(
+            "What is left of the images of the spectrum depends on the filter: none and box leave them as blocks, tent \
+             weakens them, mitchell and lanczos-3 leave hardly any. ",
+            "Сколько останется от копий спектра, зависит от фильтра: none и box оставляют их в виде квадратиков, tent \
+             ослабляет, mitchell и lanczos-3 почти не оставляют. "
+        ).and(&command(file, shrinking.size, "mitchell")))
 }
 
 fn whole(value: f64) -> Text {
@@ -112,9 +142,27 @@ fn place([u, v]: [f64; 2]) -> Text {
     text!("{u:+.3} {v:+.3}", "{u:+.3} {v:+.3}")
 }
 
-fn period(moire: &Moire, size: [usize; 2]) -> Text {
-    let period = moire.period();
-    if period > 4.0 * size[0].max(size[1]) as f64 { Text::same("∞") } else { cell(period, 3) }
+fn period(moire: &Moire) -> Text {
+    if moire.even { text!("even brightness", "ровная яркость") } else { cell(moire.period(), 3) }
+}
+
+/// What was found, and why it is not what was predicted.
+fn seen(found: Option<Found>, predicted: f64, tolerance: Tolerance) -> Text {
+    let Some(found) = found else { return Text::same("–") };
+    let contrast = percent(found.contrast);
+    match found.cause(predicted, least(tolerance)) {
+        None => contrast,
+        Some(Cause::Added) => {
+            contrast.and(&text!(", more: texture lands there as well", ", больше: туда же попадает текстура"))
+        }
+        Some(Cause::Taken) => contrast.and(&text!(", less: texture takes from it", ", меньше: часть гасит текстура")),
+        Some(Cause::Images) => contrast.and(&text!(", ratio not whole", ", отношение не целое")),
+    }
+}
+
+/// What is worth a word beside a tolerance.
+pub(super) fn least(tolerance: Tolerance) -> f64 {
+    0.1 * tolerance.contrast()
 }
 
 fn gratings(checked: &Checked, shrinking: &Shrinking) -> Section {
@@ -141,21 +189,19 @@ fn gratings(checked: &Checked, shrinking: &Shrinking) -> Section {
     let rows = waves.iter().enumerate().map(|(i, wave)| {
         let moire = plain.moires[i];
         let [x, y] = wave.middle();
-        let seen = |which: usize| match checked.found.get(i).and_then(|both| both[which]) {
-            Some(contrast) => percent(contrast),
-            None => Text::same("–"),
-        };
+        let found = checked.found.get(i).copied().unwrap_or_default();
+        let other = filtered.map(|way| way.moires[i]);
         vec![
             place(wave.frequency),
             cell(wave.period(), 3),
             whole(wave.angle()),
             text!("{x:.0} {y:.0}", "{x:.0} {y:.0}"),
-            period(&moire, shrinking.size),
-            whole(moire.angle()),
+            period(&moire),
+            if moire.even { Text::same("–") } else { whole(moire.angle()) },
             percent(moire.contrast),
-            seen(0),
-            filtered.map_or(Text::EMPTY, |way| percent(way.moires[i].contrast)),
-            seen(1),
+            seen(found[0], moire.contrast, shrinking.tolerance),
+            other.map_or(Text::EMPTY, |moire| percent(moire.contrast)),
+            other.map_or(Text::EMPTY, |moire| seen(found[1], moire.contrast, shrinking.tolerance)),
         ]
     });
     let head = [
@@ -186,11 +232,34 @@ fn gratings(checked: &Checked, shrinking: &Shrinking) -> Section {
         "Периоды решёток — в пикселях, муара — в новых пикселях; угол 0° — вертикальные полосы. Контраст — \
          (макс − мин)/(макс + мин): предсказанный и найденный после уменьшения того, что слишком мелко."
     ));
+    let every = checked.found.iter().zip(plain.moires.iter().enumerate()).flat_map(|(found, (i, moire))| {
+        let cause = |found: Option<Found>, moire: &Moire| found?.cause(moire.contrast, least(shrinking.tolerance));
+        [cause(found[0], moire), filtered.and_then(|way| cause(found[1], &way.moires[i]))]
+    });
+    let causes: Vec<Cause> = every.flatten().collect();
+    if causes.contains(&Cause::Images) {
+        section = section.say(text!(
+            "Where the ratio of the sizes is not whole, places read slip against the old pixels, and a grating has several \
+             images; what was found is what the part around shows of them together.",
+            "Если отношение размеров не целое, места чтения смещаются относительно старых пикселей, и у решётки несколько \
+             образов; найденное — то, что фрагмент показывает от них вместе."
+        ));
+    }
+    if plain.moires.iter().any(|moire| moire.even) {
+        let most = percent(plain.brightness());
+        let (en, ru) = (most.get(Lang::En), most.get(Lang::Ru));
+        section = section.say(text!(
+            "A grating that folds to zero frequency becomes an even change of brightness, without a filter of up to {en}: no \
+             moiré, but not what is there either.",
+            "Решётка, которая заворачивается в нулевую частоту, становится ровным изменением яркости, без фильтра до {ru}: это \
+             не муар, но и не то, что есть на самом деле."
+        ));
+    }
     textures(section, shrinking)
 }
 
 fn textures(section: Section, shrinking: &Shrinking) -> Section {
-    let seen = shrinking.textures.iter().filter(|texture| texture.contrast > 0.1 * shrinking.tolerance.contrast());
+    let seen = shrinking.textures.iter().filter(|texture| texture.contrast > least(shrinking.tolerance));
     seen.fold(section, |section, texture| {
         let (rms, [u, v]) = (percent(texture.contrast), texture.frequency);
         let (en, ru) = (rms.get(Lang::En), rms.get(Lang::Ru));
@@ -205,29 +274,37 @@ fn ways(shrinking: &Shrinking) -> Section {
     let (contrast, ratio) = (percent(shrinking.tolerance.contrast()), number(shrinking.tolerance.ratio(), 3));
     let db = number(shrinking.tolerance.decibels(), 3);
     let (en, ru) = (contrast.get(Lang::En), contrast.get(Lang::Ru));
+    let brighter = shrinking.ways.iter().any(|way| way.moires.iter().any(|moire| moire.even));
     let row = |way: &Way| {
         let worst = way.worst().map(|(_, moire)| moire);
-        vec![
+        let mut cells = vec![
             match way.name.as_str() {
                 "none" => text!("none (plain decimation)", "none (прореживание)"),
                 name => Text::literal(name),
             },
             worst.map_or(Text::same("–"), |moire| percent(moire.contrast)),
-            worst.map_or(Text::same("–"), |moire| period(&moire, shrinking.size)),
+            worst.map_or(Text::same("–"), |moire| period(&moire)),
             match way.passed.ratio() {
                 ratio if ratio.is_finite() => text!("{ratio:.1} dB", "{ratio:.1} дБ"),
                 _ => Text::same("∞"),
             },
             if way.fine { text!("fine", "годится") } else { text!("aliases", "алиасинг") },
-        ]
+        ];
+        if brighter {
+            cells.insert(3, percent(way.brightness()));
+        }
+        cells
     };
-    let head = [
+    let mut head = vec![
         text!("filter", "фильтр"),
         text!("strongest moiré", "сильнейший муар"),
         text!("period", "период"),
         text!("kept to folded", "сохранённое / завёрнутое"),
         Text::EMPTY,
     ];
+    if brighter {
+        head.insert(3, text!("change of brightness", "изменение яркости"));
+    }
     Section::new(text!("Every way to get there", "Все способы"))
         .say(text!(
             "Tolerance {db} dB: a moiré of no more than {en}; of edges and texture, which hide their own aliases, {ratio} dB \
@@ -239,10 +316,9 @@ fn ways(shrinking: &Shrinking) -> Section {
 }
 
 /// What to do.
-fn advice(checked: &Checked, shrinking: &Shrinking) -> Section {
+fn advice(checked: &Checked, shrinking: &Shrinking, file: &str) -> Section {
     let section = Section::new(text!("What to do", "Что делать"));
-    let [w, h] = shrinking.size;
-    let command = |name: &str| Text::literal(format!("nyquist resize IN OUT --width {w} --height {h} --filter {name}"));
+    let command = |name: &str| command(file, shrinking.size, name);
     let mut section = match shrinking.best() {
         Some(way) if way.name == "none" => {
             section.say(text!("Nothing: it can be decimated as it is.", "Ничего: его можно прореживать как есть."))
