@@ -102,18 +102,10 @@ fn the_moiré_of_a_grating_is_predicted_and_the_advice_is_good() {
 fn what_is_printed_says_what_to_do_in_both_languages() {
     let (_folder, file) = picture(256, 256, stripes);
     for (lang, words) in [
-        (
-            "en",
-            ["cycles/pixel", "no filter", "plain decimation", "nyquist resize IN OUT --width 64 --height 64 --filter"],
-        ),
+        ("en", ["cycles/pixel", "no filter", "plain decimation", "in.png OUT.png --width 64 --height 64 --filter"]),
         (
             "ru",
-            [
-                "периодов на пиксель",
-                "без фильтра",
-                "прореживание",
-                "nyquist resize IN OUT --width 64 --height 64 --filter",
-            ],
+            ["периодов на пиксель", "без фильтра", "прореживание", "in.png OUT.png --width 64 --height 64 --filter"],
         ),
     ] {
         let output = nyquist(&["check", text(&file), "--scale", "0.25", "--lang", lang]);

@@ -154,8 +154,12 @@ impl Weighted {
         let limit = determined(2 * degree + 1);
         let (_, ritz) = Toeplitz::new(&self.gram, degree).settled(&wanted, most.min(limit));
         match ritz.condition() {
+            // what rounding hides may be anything from there on
+            condition if condition > limit && limit < most => {
+                let least = if condition.is_finite() { condition } else { limit };
+                Err(ill_conditioned(UNDETERMINED, least, limit))
+            }
             condition if condition > most => Err(ill_conditioned("recovery from irregular samples", condition, most)),
-            condition if condition > limit => Err(ill_conditioned(UNDETERMINED, condition, limit)),
             condition if !ritz.settled => Err(ill_conditioned(UNSETTLED, condition, sure())),
             condition => Ok(condition),
         }

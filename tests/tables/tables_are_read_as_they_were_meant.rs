@@ -108,7 +108,7 @@ fn what_is_no_number_is_named_by_line_and_column() {
         ("t,v\n0,NaN\n", "line 2, column 2 (v): the cell is not a number (NaN) (--skip-missing leaves such rows out)"),
         ("t,v\n0,-inf\n", "line 2, column 2 (v): the cell is infinite (--skip-missing leaves such rows out)"),
         ("t,v\n0,n/a\n", "line 2, column 2 (v): the cell has no value (--skip-missing leaves such rows out)"),
-        ("\u{fffd}", "a header and no row of numbers"),
+        ("\u{fffd}", "there is a header and no row of numbers"),
         ("t,v\n,1\n", "line 2, column 1 (t): the cell is empty (--skip-missing leaves such rows out)"),
         ("t;v\n0;1,5\n", "line 2, column 2 (v): \"1,5\" is no number (with --decimal-comma it is 1.5)"),
         ("t,v\n0,\"1\n1,2\n", "line 2: a quote is not closed on its line"),

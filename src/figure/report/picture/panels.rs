@@ -166,13 +166,13 @@ fn strongest(moires: &[Moire]) -> Vec<usize> {
 
 /// Period and contrast beside the places where moirés land, one below the other where they would meet.
 fn labels(moires: &[Moire], drawn: &[usize], landing: impl Fn(&Moire) -> [f64; 2]) -> Vec<([f64; 2], Text)> {
-    const LINE: f64 = 0.09;
+    const LINE: f64 = 0.15;
     let mut places: Vec<([f64; 2], Text)> = drawn
         .iter()
         .map(|&i| {
             let ([u, v], period) = (landing(&moires[i]), number(moires[i].period(), 2));
             // below the head, and inside the panel
-            let place = [u.clamp(-0.25, 0.25), v.clamp(-0.4, 0.2) + LINE];
+            let place = [u.clamp(-0.25, 0.25), v.clamp(-0.4, 0.0) + LINE];
             (place, text!("{period} px · ", "{period} пкс · ").and(&percent(moires[i].contrast)))
         })
         .collect();
