@@ -26,6 +26,7 @@
 // %% answer
 use std::f64::consts::PI;
 
+// %% ru Множитель, на который пиксель такой ширины умножает амплитуду синусоиды.
 /// The factor by which a pixel of that width multiplies the amplitude of a tone.
 pub fn kept(frequency: f64, width: f64) -> f64 {
     // %% start 0.0

@@ -24,6 +24,7 @@
 // отрицательному углу прибавьте 180°.
 
 // %% answer
+// %% ru Частота и угол (в градусах) видимых полос.
 /// The frequency and the angle in degrees of the stripes that are seen.
 pub fn moire(u: f64, v: f64) -> [f64; 2] {
     // %% start [0.0, 0.0]
@@ -35,6 +36,7 @@ pub fn moire(u: f64, v: f64) -> [f64; 2] {
 // %% check
 use nyquist::exercise::{Line, Mistake};
 use nyquist::text;
+use std::f64::consts;
 
 pub type Answer = fn(f64, f64) -> [f64; 2];
 pub const ANSWER: Answer = moire;
@@ -69,8 +71,6 @@ pub const MISTAKES: [Mistake<Answer>; 4] = [
         "Вы отбросили целую часть, а отнимать надо ближайшее целое: 0,9 периода выглядят как −0,1.",
     ),
 ];
-
-use std::f64::consts;
 
 pub fn demands(moire: Answer) -> Vec<Line> {
     let gratings = [[0.9, 0.05], [1.02, 0.97], [0.96, 1.1], [2.3, -0.8], [-0.7, 3.1], [0.2, 0.1], [1.0, 0.75]];

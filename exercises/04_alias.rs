@@ -19,6 +19,7 @@
 // Косинус не различает знак частоты: ответ — расстояние до ближайшего кратного.
 
 // %% answer
+// %% ru Частота от 0 до половины частоты дискретизации, косинус которой даёт те же отсчёты.
 /// The frequency from 0 to half the rate whose cosine has the same samples.
 pub fn alias(frequency: f64, rate: f64) -> f64 {
     // %% start 0.0

@@ -22,6 +22,7 @@
 // `f64::signum` даёт знак, `f64::abs` — частоту.
 
 // %% answer
+// %% ru Свёрнутая частота и знак, с которым возвращается синус.
 /// The folded frequency, and the sign with which a sine comes back.
 pub fn fold(frequency: f64, rate: f64) -> [f64; 2] {
     // %% start [0.0, 1.0]

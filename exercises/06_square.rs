@@ -22,6 +22,7 @@
 // %% answer
 use std::f64::consts::PI;
 
+// %% ru Амплитуда k-й гармоники; k — от 1.
 /// The amplitude of the k-th harmonic, from k = 1 on.
 pub fn amplitude(k: u32) -> f64 {
     // %% start 0.0

@@ -22,6 +22,7 @@
 // %% answer
 use std::f64::consts::PI;
 
+// %% ru Насколько первый максимум суммы n слагаемых выше 1, в долях скачка.
 /// How far the first maximum of the sum of n terms is above 1, in units of the jump.
 pub fn overshoot(n: u32) -> f64 {
     // %% start 0.0

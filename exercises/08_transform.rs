@@ -22,6 +22,7 @@
 // %% answer
 use std::f64::consts::PI;
 
+// %% ru F(ν) функции f на отрезке по формуле средних с n шагами: действительная и мнимая части.
 /// F(ν) of f between two ends, by the midpoint rule of n steps: real and imaginary part.
 pub fn transform(f: &dyn Fn(f64) -> f64, from: f64, to: f64, n: usize, nu: f64) -> [f64; 2] {
     // %% start [0.0, 0.0]

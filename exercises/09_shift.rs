@@ -22,6 +22,7 @@
 // %% answer
 use std::f64::consts::PI;
 
+// %% ru Спектр сигнала, сдвинутого на `a` вправо, на частоте ν.
 /// The transform at ν of the signal moved by `a` to the right.
 pub fn shifted([re, im]: [f64; 2], nu: f64, a: f64) -> [f64; 2] {
     // %% start [0.0, 0.0]

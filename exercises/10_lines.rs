@@ -26,6 +26,7 @@
 // %% answer
 use std::f64::consts::PI;
 
+// %% ru Две линии спектра A cos(bx): место и вес каждой.
 /// The two lines of A cos(bx), each as position and weight.
 pub fn lines(amplitude: f64, b: f64) -> [[f64; 2]; 2] {
     // %% start [[0.0, 0.0], [0.0, 0.0]]

@@ -18,6 +18,7 @@
 // Не забудьте T перед суммой: с ним сумма весов — интеграл от f, причём точно, если 1/T больше полосы f.
 
 // %% answer
+// %% ru Веса первых n стрелок.
 /// The weights of the first n arrows.
 pub fn weights(f: &dyn Fn(f64) -> f64, step: f64, n: usize) -> Vec<f64> {
     // %% start Vec::new()

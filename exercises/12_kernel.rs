@@ -26,6 +26,7 @@
 // Расстояние до отсчёта ядро получает в шагах.
 
 // %% answer
+// %% ru Значение в точке x функции, восстановленной по отсчётам в точках 0, T, 2T, …
 /// The value at x of the function rebuilt from samples at 0, T, 2T, …
 pub fn reconstructed(samples: &[f64], step: f64, kernel: &dyn Fn(f64) -> f64, x: f64) -> f64 {
     // %% start 0.0

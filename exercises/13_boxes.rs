@@ -22,6 +22,7 @@
 // Пересечение не больше min(a, b), не меньше 0, а между ними убывает как (a + b)/2 − |x|.
 
 // %% answer
+// %% ru Свёртка прямоугольников ширины a и b в точке x.
 /// The convolution at x of boxes of widths a and b.
 pub fn convolved(a: f64, b: f64, x: f64) -> f64 {
     // %% start 0.0

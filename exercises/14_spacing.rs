@@ -24,6 +24,7 @@
 // Вес линии в нуле — среднее значение; а все коэффициенты гребня равны.
 
 // %% answer
+// %% ru Линии с номерами −n, …, n спектра гребня Ш_T: место и вес каждой.
 /// The lines −n, …, n of the transform of Ш_T, each as position and weight.
 pub fn lines(step: f64, n: i32) -> Vec<[f64; 2]> {
     // %% start Vec::new()

@@ -20,6 +20,7 @@
 // Сложите F(ν − k/T) по k от −n до n. Копии той же высоты, что и оригинал.
 
 // %% answer
+// %% ru Спектр на частоте ν отсчётов с шагом T, с n копиями с каждой стороны.
 /// The spectrum at ν of samples with the step T, with n copies on either side.
 pub fn replicated(spectrum: &dyn Fn(f64) -> f64, step: f64, n: i32, nu: f64) -> f64 {
     // %% start 0.0

@@ -20,6 +20,7 @@
 // Местная частота — cx. Частота Найквиста — половина частоты дискретизации.
 
 // %% answer
+// %% ru Где местная частота cos(πcx²) достигает частоты Найквиста.
 /// Where the local frequency of cos(πcx²) reaches the Nyquist frequency.
 pub fn reach(c: f64, rate: f64) -> f64 {
     // %% start 0.0
@@ -43,7 +44,7 @@ pub const MISTAKES: [Mistake<Answer>; 4] = [
     Mistake::new(
         |c, rate| rate / (4.0 * c),
         "Half of the way only: the Nyquist frequency is the rate/2, and the local frequency is cx and not 2cx.",
-        "Лишь половина пути: частота Найквиста — половина частоты дискретизации, а локальная частота — cx, а не 2cx.",
+        "Лишь половина пути: частота Найквиста — половина частоты дискретизации, а местная частота — cx, а не 2cx.",
     ),
     Mistake::new(
         |c, rate| std::f64::consts::PI * rate / (2.0 * c),

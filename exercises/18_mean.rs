@@ -22,6 +22,7 @@
 // %% answer
 use std::f64::consts::PI;
 
+// %% ru Среднее sin(2πνx) от a до b.
 /// The mean of sin(2πνx) from a to b.
 pub fn mean(nu: f64, a: f64, b: f64) -> f64 {
     // %% start 0.0
@@ -76,7 +77,7 @@ pub const MISTAKES: [Mistake<Answer>; 5] = [
 ];
 
 pub fn demands(mean: Answer) -> Vec<Line> {
-    // the quadrature is asked for 10⁻¹³ and divided by widths from ¼ on; 1/ν up to 8 magnifies the answer's rounding
+    // the quadrature is asked for 10⁻¹³ and divided by widths from ¼ on; 1/ν up to 16 magnifies the answer's rounding
     const ALLOWED: f64 = 4e-13 + 32.0 * f64::EPSILON;
     let truth = |nu: f64, a: f64, b: f64| integrate(|x| (consts::TAU * nu * x).sin(), a, b, 1e-13).value / (b - a);
     let case = |a: f64, b: f64| move |nu: f64| (format!("mean({nu}, {a}, {b})"), mean(nu, a, b), truth(nu, a, b));

@@ -20,6 +20,7 @@
 // Отсчёты стоят в точках i + (j + ½)/n, j = 0, …, n − 1; все веса — 1/n, чтобы константа не менялась.
 
 // %% answer
+// %% ru Среднее n отсчётов f в пикселе от i до i + 1.
 /// The mean of n samples of f in the pixel from i to i + 1.
 pub fn pixel(f: &dyn Fn(f64) -> f64, i: i32, n: u32) -> f64 {
     // %% start 0.0
@@ -88,7 +89,7 @@ pub fn demands(pixel: Answer) -> Vec<Line> {
             .case("pixel(1, 0, 7)", pixel(&|_| 1.0, 0, 7), 1.0),
         Line::new(text!("n = 1: the middle", "n = 1: середина"), allowed).over([0.1, 0.3, 0.7], case(2, 1)),
         Line::new(
-            text!("n = 4: nothing of frequency 1, all of 3.9", "n = 4: от частоты 1 ничего, от 3,9 почти всё"),
+            text!("n = 4: nothing of frequency 1, nearly all of 3.9", "n = 4: от частоты 1 ничего, от 3,9 почти всё"),
             allowed,
         )
         .along(text!("frequency ν", "частота ν"))

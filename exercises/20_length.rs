@@ -22,6 +22,7 @@
 // Целые числа точны: round(p/q) — это целочисленное (2p + q)/(2q). Произведение n·to может не поместиться в u64: `u128`.
 
 // %% answer
+// %% ru Сколько отсчётов станет из n после смены частоты.
 /// How many samples become of n when the rate is changed.
 pub fn resampled(n: u64, from: u64, to: u64) -> u64 {
     // %% start 0

@@ -26,6 +26,7 @@
 // (g(d + (a+b)/2) − g(d + (a−b)/2) − g(d − (a−b)/2) + g(d − (a+b)/2))/(ab). А если a или b — нуль?
 
 // %% answer
+// %% ru Доля пикселя в полуплоскости u·x + v·y ≤ d; длина нормали — 1.
 /// The part of the pixel that lies in u·x + v·y ≤ d, for a normal of length one.
 pub fn coverage(u: f64, v: f64, d: f64) -> f64 {
     // %% start 0.0

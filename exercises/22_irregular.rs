@@ -28,6 +28,7 @@
 // %% answer
 use std::f64::consts::PI;
 
+// %% ru c₀, c₁, c₂ функции c₀ + c₁ cos(2πx) + c₂ sin(2πx) по значениям в любых местах, методом наименьших квадратов.
 /// c₀, c₁, c₂ of c₀ + c₁ cos(2πx) + c₂ sin(2πx) from values at any places, by least squares.
 pub fn recovered(places: &[f64], values: &[f64]) -> [f64; 3] {
     // %% start [0.0, 0.0, 0.0]

@@ -20,6 +20,7 @@
 // Случайное число номер i говорит, какую часть своей ячейки пройдёт отсчёт номер i.
 
 // %% answer
+// %% ru По отсчёту в каждой из `random.len()` равных ячеек отрезка 0 … 1.
 /// One sample in each of `random.len()` equal cells of 0 … 1.
 pub fn jittered(random: &[f64]) -> Vec<f64> {
     // %% start Vec::new()

@@ -20,6 +20,7 @@
 // Подобные треугольники: на плёнке ширина конуса — A·|z′ − d|/z′.
 
 // %% answer
+// %% ru Диаметр изображения на плёнке точки, лежащей на расстоянии z.
 /// The diameter on the film of the image of a point at the distance z.
 pub fn blur(f: f64, aperture: f64, s: f64, z: f64) -> f64 {
     // %% start 0.0

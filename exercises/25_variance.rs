@@ -20,6 +20,7 @@
 // Дисперсия среднего n независимых чисел — сумма их дисперсий, делённая на n². В обоих случаях они независимы.
 
 // %% answer
+// %% ru Дисперсии среднего n отсчётов f(x) = x: случайных и по одному в каждой из n страт.
 /// The variance of the mean of n samples of f(x) = x: random, and one in each of n strata.
 pub fn variances(n: u32) -> [f64; 2] {
     // %% start [0.0, 0.0]

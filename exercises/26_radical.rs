@@ -20,6 +20,7 @@
 // Последняя цифра становится первой после запятой и весит 1/base, следующая — 1/base², и так пока число не кончится.
 
 // %% answer
+// %% ru Цифры числа `index` в этой системе счисления, отражённые относительно запятой.
 /// The digits of `index` in that base, reflected in the point.
 pub fn radical_inverse(base: u32, index: u32) -> f64 {
     // %% start 0.0

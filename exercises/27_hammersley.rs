@@ -20,6 +20,7 @@
 // Запятая — перед старшим битом: разделите на 2³².
 
 // %% answer
+// %% ru Все n точек Хаммерсли в единичном квадрате.
 /// The n points of Hammersley in the unit square.
 pub fn hammersley(n: u32) -> Vec<[f64; 2]> {
     // %% start Vec::new()

@@ -22,6 +22,7 @@
 // Сосчитайте счётчики, не равные единице, и сложите по a = 0, …, m, включая оба конца.
 
 // %% answer
+// %% ru В скольких элементарных интервалах не ровно одна из 2^m точек.
 /// How many elementary intervals do not hold exactly one of the 2^m points.
 pub fn unfair(points: &[[f64; 2]], m: u32) -> usize {
     // %% start 0

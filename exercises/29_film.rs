@@ -26,6 +26,7 @@
 // Фильтр получает расстояние от отсчёта до пикселя, а не место отсчёта.
 
 // %% answer
+// %% ru Значение пикселя (x, y) по отсчётам [x_i, y_i, L_i].
 /// The value of the pixel at (x, y) from samples [x_i, y_i, L_i].
 pub fn pixel(samples: &[[f64; 3]], [x, y]: [f64; 2], filter: &dyn Fn(f64, f64) -> f64) -> f64 {
     // %% start 0.0

@@ -22,6 +22,7 @@
 // Сначала все веса, потом их сумма, потом деление.
 
 // %% answer
+// %% ru Веса отсчётов 1 − radius, …, radius в месте t; их сумма — единица.
 /// The weights of the samples 1 − radius, …, radius at the place t, adding up to one.
 pub fn weights(kernel: &dyn Fn(f64) -> f64, radius: i32, t: f64) -> Vec<f64> {
     // %% start Vec::new()

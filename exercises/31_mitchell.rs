@@ -28,6 +28,7 @@
 // Формула — для 6k. При B = C = ⅓ должно выйти k(0) = 8/9 и k(1) = 1/18.
 
 // %% answer
+// %% ru Ядро Митчелла и Нетравали с параметрами B и C.
 /// The kernel of Mitchell and Netravali with the parameters B and C.
 pub fn mitchell(b: f64, c: f64, t: f64) -> f64 {
     // %% start 0.0

@@ -22,6 +22,7 @@
 // %% answer
 use std::f64::consts::PI;
 
+// %% ru Ядро Ланцоша радиуса a.
 /// Lanczos' kernel of radius a.
 pub fn lanczos(t: f64, a: f64) -> f64 {
     // %% start 0.0

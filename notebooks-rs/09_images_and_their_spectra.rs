@@ -6,7 +6,7 @@ use nyquist::course::{display, law, prove, show};
 use nyquist::figure::{Figure, Layer, Legend, Meaning, Panel, Scale};
 use nyquist::image::decimate::decimate;
 use nyquist::laws::gibbs::SAMPLED_PEAK;
-use nyquist::laws::plane::{spectrum_by_transform, transform_rounding};
+use nyquist::laws::plane::{parseval_of_image, spectrum_by_transform, transform_rounding};
 use nyquist::prelude::*;
 use nyquist::text;
 
@@ -255,10 +255,7 @@ fn main() -> Result<()> {
             prove([Residual::near("Σ‖f_i‖² = ‖f‖²", parts / energy(&wall), 1.0, 12.0 * rounding)])?;
         }
     }
-    let power = image_forward(&wall).values().iter().map(|f| f.norm_sqr()).sum::<f64>() / wall.grid().area();
-    // N² squares are added up twice, many of them equal, so that roundings do not cancel
-    let bound = (rounding + f64::EPSILON * wall.grid().len() as f64) * energy(&wall);
-    prove([Residual::near("Σ|F|²/N² = Σf²", power, energy(&wall), bound)])?;
+    prove([parseval_of_image(&wall)])?;
 
     // %%
     show(lang, "x-frequency-filters", &[("shape", "gaussian")])?;

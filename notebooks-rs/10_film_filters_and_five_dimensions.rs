@@ -130,7 +130,7 @@ fn main() -> Result<()> {
     // **Exercise.** With four points on the lens in a Latin hypercube, how many of its quarters can be empty, and with which
     // probability? (There are 24 ways to place four rooks.)
     // %% ru
-    // **Упражнение.** Четыре точки на линзе образуют латинский квадрат. Сколько её четвертей может остаться пустыми и с какой
+    // **Упражнение.** Четыре точки на линзе образуют латинский гиперкуб. Сколько её четвертей может остаться пустыми и с какой
     // вероятностью? (Расставить четыре ладьи можно 24 способами.)
 
     // %% en

@@ -1,4 +1,4 @@
-//! Threads: the one place that knows rayon.
+//! Threads: the one place of the library that knows rayon.
 //!
 //! Work is split where its structure splits, never by the number of threads, and every result goes to its own place. So
 //! the bits of a result do not depend on how many threads there are, or on whether there are any (feature `threads`).

@@ -26,6 +26,11 @@ fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
+/// How a file's name ends, behind its last point, in small letters; empty if it has none.
+pub(super) fn ending(path: &Path) -> String {
+    path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default()
+}
+
 /// Whether two names, of files that need not exist yet, are one place.
 pub(super) fn same(one: &Path, other: &Path) -> bool {
     let place = |path: &Path| {

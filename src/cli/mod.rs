@@ -15,6 +15,7 @@ mod render;
 mod report;
 mod resample;
 mod resize;
+mod skipped;
 mod sound;
 mod source;
 mod spectrum;

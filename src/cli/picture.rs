@@ -1,6 +1,7 @@
 //! What the commands that read pictures share.
 
 use crate::cli::Failure;
+use crate::cli::number::number;
 use crate::cli::source::Source;
 use crate::cli::working::note;
 use nyquist::door::carried::{Light, Opened};
@@ -23,11 +24,6 @@ impl Most {
     pub(super) fn limits(self) -> Limits {
         Limits { pixels: (self.max_pixels * 1e6) as u64 }
     }
-}
-
-/// A number, as an option has it.
-pub(super) fn number(text: &str) -> Result<f64, String> {
-    text.trim().parse().map_err(|_| format!("\"{text}\" is no number"))
 }
 
 fn millions(text: &str) -> Result<f64, String> {

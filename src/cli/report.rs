@@ -60,8 +60,8 @@ impl Options {
 }
 
 fn kind(path: &Path) -> Result<Kind, Failure> {
-    let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
-    match (extension.as_str(), extension.parse()) {
+    let ending = files::ending(path);
+    match (ending.as_str(), ending.parse()) {
         ("html", _) => Ok(Kind::Page),
         (_, Ok(format)) => Ok(Kind::Picture(format)),
         _ => Err(Failure::trouble(path.display(), "a report ends with .svg, .png, .pdf or .html")),

@@ -4,7 +4,7 @@ use crate::cli::number::quotient;
 use crate::cli::sound::{note_oddities, open, pump, reachable};
 use crate::cli::source::Source;
 use crate::cli::working::note;
-use crate::cli::{Failure, files};
+use crate::cli::{Failure, files, skipped};
 use nyquist::door::wav::{Clipping, Dither, Encoding, WavFormat, WavReader, WavWriter};
 use nyquist::error::Error;
 use nyquist::rate::{Converter, Quality};
@@ -149,11 +149,7 @@ fn convert<R: Read, W: Write>(
 
 /// What was left out, and what did not fit.
 fn tell<R: Read>(reader: &WavReader<R>, wanted: Encoding, clipping: &Clipping) {
-    for skipped in reader.skipped() {
-        let (name, count, bytes) = (&skipped.name, skipped.count, skipped.bytes);
-        let times = if count == 1 { String::new() } else { format!("{count} times, ") };
-        note(&format!("the chunk \"{name}\" ({times}{bytes} bytes) is not carried over"));
-    }
+    skipped::tell(reader.skipped(), |name| format!("the chunk \"{name}\""));
     note_oddities(reader);
     if reader.position() == 0 {
         note("the input is empty, without a single frame, and so is the output");
@@ -187,7 +183,6 @@ fn report<R: Read>(
         return Ok(writeln!(out, "{path}: {frames} frames at {rate} Hz, {channels} channel{plural}, {kind}")?);
     }
     let promise = args.quality.promise();
-    let skipped = reader.skipped().iter().map(|s| json!({ "name": s.name, "count": s.count, "bytes": s.bytes }));
     let value = json!({
         "input": { "file": args.input.display().to_string(), "rate": from.rate(), "frames": reader.position(),
             "channels": channels, "bits": from.encoding().bits(), "float": from.encoding().is_float() },
@@ -197,7 +192,7 @@ fn report<R: Read>(
         "quality": { "name": args.quality.name(), "pass": promise.pass, "ripple_db": promise.ripple,
             "rejection_db": promise.rejection },
         "clipping": { "samples": clipping.samples, "first_frame": clipping.first_frame, "peak": clipping.peak },
-        "skipped": skipped.collect::<Vec<_>>(),
+        "skipped": skipped::json(reader.skipped()),
         "trailing_bytes": reader.trailing(),
     });
     Ok(writeln!(out, "{value:#}")?)

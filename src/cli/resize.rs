@@ -1,14 +1,14 @@
 //! `nyquist resize`: a picture at another size.
 
-use crate::cli::picture::{Most, filter, filters, number, open};
+use crate::cli::number::number;
+use crate::cli::picture::{Most, filter, filters, open};
 use crate::cli::source::Source;
 use crate::cli::working::{note, spinner};
-use crate::cli::{Failure, files};
+use crate::cli::{Failure, files, skipped};
 use nyquist::axis::Edge;
 use nyquist::door::carried::{Carried, Depth, Light, Opened, Space};
 use nyquist::door::picture::{Color, Picture};
 use nyquist::door::{Format, Limits, write_file};
-use nyquist::error::unknown;
 use nyquist::image::Image;
 use nyquist::image::resize::{nearest, over, resize};
 use nyquist::inspect::picture::blur::Blur;
@@ -38,7 +38,7 @@ pub(super) struct Args {
     #[arg(short, long, default_value = "mitchell", value_name = "NAME")]
     filter: String,
     /// What lies beyond the border: mirror, clamp, wrap or zero (black)
-    #[arg(long, default_value = "mirror", value_parser = edge)]
+    #[arg(long, default_value = "mirror")]
     edge: Edge,
     /// Blur first, by a Gaussian of this standard deviation in pixels of the input
     #[arg(long, value_name = "SIGMA", value_parser = number)]
@@ -89,12 +89,6 @@ fn after_help() -> String {
         filters.trim_end_matches(", "),
         catalog::FAMILIES.join(", "),
     )
-}
-
-fn edge(name: &str) -> Result<Edge, String> {
-    let known = [("zero", Edge::Zero), ("clamp", Edge::Clamp), ("wrap", Edge::Wrap), ("mirror", Edge::Mirror)];
-    let found = known.iter().find(|(known, _)| *known == name);
-    found.map(|(_, edge)| *edge).ok_or_else(|| unknown("edge", name, known.map(|(name, _)| name)).to_string())
 }
 
 fn depth(text: &str) -> Result<Depth, String> {
@@ -198,17 +192,20 @@ fn format(args: &Args) -> Result<Format, Failure> {
     if args.output == Path::new("-") {
         return Ok(Format::Png);
     }
-    let ending = args.output.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
-    match ending.as_str() {
+    match files::ending(&args.output).as_str() {
         "png" => Ok(Format::Png),
         "jpg" | "jpeg" => Ok(Format::Jpeg(args.quality)),
         _ => Err(Failure::trouble(args.output.display(), "a picture ends with .png, .jpg or .jpeg")),
     }
 }
 
+/// Above the rounding of weighted sums, some hundred ε; below the finest step of 16 bits, the first one of sRGB:
+/// 1/(65535 · 12.92) = 1.2·10⁻⁶.
+const ROUNDING: f64 = 1e-9;
+
 /// How many values of colour lie beyond black or white, by more than a rounding.
 fn clipped(picture: &Picture) -> usize {
-    let beyond = |plane: &Image| plane.values().iter().filter(|v| !(-1e-9..=1.0 + 1e-9).contains(*v)).count();
+    let beyond = |plane: &Image| plane.values().iter().filter(|v| !(-ROUNDING..=1.0 + ROUNDING).contains(*v)).count();
     match picture.color() {
         Color::Grey(grey) => beyond(grey),
         Color::Rgb(rgb) => rgb.planes().iter().map(beyond).sum(),
@@ -220,11 +217,7 @@ fn tell(opened: &Opened, carried: &Carried, format: Format) {
     for remark in &opened.remarks {
         note(remark);
     }
-    for skipped in &opened.skipped {
-        let (name, count, bytes) = (&skipped.name, skipped.count, skipped.bytes);
-        let times = if count == 1 { String::new() } else { format!("{count} times, ") };
-        note(&format!("{name} ({times}{bytes} bytes) is not carried over"));
-    }
+    skipped::tell(&opened.skipped, str::to_owned);
     if matches!(format, Format::Jpeg(_)) {
         if opened.picture.alpha().is_some() {
             note("JPEG has no opacity: the picture stands before white");
@@ -257,13 +250,12 @@ fn report(args: &Args, opened: &Opened, done: &Done<'_>, out: &mut impl Write) -
     let alpha = opened.picture.alpha().is_some() && done.format == Format::Png;
     let grid = opened.picture.grid();
     if args.json {
-        let skipped = opened.skipped.iter().map(|s| json!({ "name": s.name, "count": s.count, "bytes": s.bytes }));
         let value = json!({
             "input": { "file": args.input.display().to_string(), "width": grid.width(), "height": grid.height(),
                 "bits": opened.carried.depth.bits() },
             "output": { "file": path, "width": width, "height": height, "bits": bits, "grey": grey, "alpha": alpha },
             "filter": filter, "blur": args.blur, "light": if args.encoded { "encoded" } else { "linear" },
-            "clipped": done.clipped, "remarks": opened.remarks, "skipped": skipped.collect::<Vec<_>>(),
+            "clipped": done.clipped, "remarks": opened.remarks, "skipped": skipped::json(&opened.skipped),
         });
         return Ok(writeln!(out, "{value:#}")?);
     }

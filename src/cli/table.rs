@@ -35,6 +35,19 @@ pub(super) struct Options {
     skip_missing: bool,
 }
 
+/// How a table is read, and up to where its frequencies are looked at.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Tables")]
+#[group(skip)]
+pub(super) struct Frequencies {
+    #[command(flatten)]
+    pub(super) table: Options,
+    /// The highest frequency to look at [default: half the rate; of times without a step, their
+    /// density]
+    #[arg(long, value_name = "FREQUENCY", allow_negative_numbers = true)]
+    pub(super) up_to: Option<f64>,
+}
+
 impl Options {
     /// The table of a source.
     pub(super) fn read(&self, source: Source) -> Result<Table, Failure> {

@@ -1,8 +1,8 @@
 //! The door: files of images, of sound and of numbers in and out, and the one place where sRGB becomes linear light and back.
 //!
 //! Reading takes PNG (1 to 16 bits a channel, grey, colour, palettes, with or without alpha) and JPEG (8 bits, grey and
-//! colour, baseline and progressive), writing makes PNG of 8 or 16 bits and JPEG of 8; all need the feature `files`. Bytes
-//! come in and bytes go out: whoever calls writes them to a temporary file and renames it.
+//! colour, baseline and progressive; lossless grey of 16, too), writing makes PNG of 8 or 16 bits and JPEG of 8; all need the
+//! feature `files`. Bytes come in and bytes go out: whoever calls writes them to a temporary file and renames it.
 //!
 //! What a file says beside its pixels is [carried](carried::Carried) to the next one, as far as its format has a place for
 //! it: depth, colour space (sRGB, gamma and chromaticities, an ICC profile, code points), density. Everything else is

@@ -45,7 +45,7 @@ impl Curve {
         }
     }
 
-    /// Whether it rises from (about) black to something, so that it can be read backwards.
+    /// Whether it never falls and ends above where it begins, so that it can be read backwards.
     pub(super) fn rises(&self) -> bool {
         let values: Vec<f64> = (0..=256u32).map(|i| self.light(f64::from(i) / 256.0)).collect();
         let steady = values.windows(2).all(|pair| pair[1] >= pair[0]);
@@ -77,7 +77,7 @@ impl Transfer {
     /// The code of every value: the nearest one as codes go, the ends for what lies beyond them.
     ///
     /// The light half-way between two codes parts their values, so that no curve has to be inverted, and every code comes
-    /// back as itself.
+    /// back as itself; where a curve is level, as the highest one of that light.
     pub(super) fn codes(&self, channel: usize, most: u16, values: &[f64]) -> Vec<u16> {
         let half = |code: u16| self.light(channel, (f64::from(code) + 0.5) / f64::from(most));
         let limits: Vec<f64> = (0..most).map(half).collect();

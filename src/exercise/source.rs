@@ -3,7 +3,8 @@
 //! `// %% en F07`, `// %% ru`, `// %% hint en`, `// %% hint ru` begin texts in comments: the task (whose first line is
 //! its title) with the entries of the lecture's inventory that it belongs to, and hints, as many in each language.
 //! `// %% answer` begins the code of the answer; in it `// %% start EXPRESSION` begins a body to hide, and what stands
-//! in its place at the start, and `// %% end` ends it. `// %% check` begins what is asked.
+//! in its place at the start, and `// %% end` ends it; `// %% ru WORDS` says in Russian what the `///` below it says.
+//! `// %% check` begins what is asked.
 
 use crate::error::{Error, Result};
 use crate::text::{Lang, Text};
@@ -70,7 +71,7 @@ impl Exercise {
             file.push('\n');
         }
         file.push('\n');
-        let mut hidden = false;
+        let (mut hidden, mut russian) = (false, None);
         for line in &self.answer {
             if let Some((indent, start)) = line.split_once(START) {
                 let todo = ["your answer", "ваш ответ"][usize::from(lang == Lang::Ru)];
@@ -78,8 +79,10 @@ impl Exercise {
                 hidden = true;
             } else if line.trim() == END {
                 hidden = false;
+            } else if let Some(words) = line.strip_prefix(RUSSIAN) {
+                russian = (lang == Lang::Ru).then(|| format!("/// {words}\n"));
             } else if !hidden {
-                file += &format!("{line}\n");
+                file += &russian.take().unwrap_or_else(|| format!("{line}\n"));
             }
         }
         file
@@ -87,7 +90,8 @@ impl Exercise {
 
     /// The answer as it should be, without the marks.
     pub fn solution(&self) -> String {
-        let code = self.answer.iter().filter(|line| !line.contains(START) && line.trim() != END);
+        let mark = |line: &str| line.contains(START) || line.trim() == END || line.starts_with(RUSSIAN);
+        let code = self.answer.iter().filter(|line| !mark(line));
         code.map(|line| format!("{line}\n")).collect()
     }
 
@@ -105,6 +109,7 @@ impl Exercise {
 
 const START: &str = "// %% start ";
 const END: &str = "// %% end";
+const RUSSIAN: &str = "// %% ru ";
 
 fn parse(name: &str, source: &str) -> std::result::Result<Exercise, String> {
     let (number, id) = name.split_once('_').ok_or("its name is not NN_id")?;
@@ -123,6 +128,7 @@ fn parse(name: &str, source: &str) -> std::result::Result<Exercise, String> {
                 continue;
             }
             Some(["ru"]) => section = Section::Task(Lang::Ru),
+            Some(["ru", ..]) if section == Section::Answer => answer.push(line.to_owned()),
             Some(["hint", lang]) => {
                 let lang: Lang = lang.parse().map_err(|_| wrong("a hint in no language"))?;
                 hints[lang as usize].push(Vec::new());
@@ -158,6 +164,10 @@ fn parse(name: &str, source: &str) -> std::result::Result<Exercise, String> {
     let marks = |mark: &str| answer.iter().filter(|line: &&String| line.contains(mark)).count();
     if marks(START) == 0 || marks(START) != marks(END) || !answer.iter().any(|line| line.starts_with("pub fn ")) {
         return Err("the answer has no public function, or no body to hide".into());
+    }
+    let begin = |mark: &str| answer.iter().filter(|line: &&String| line.starts_with(mark)).count();
+    if begin("///") != begin(RUSSIAN) {
+        return Err("a comment of the answer is not said in Russian as well".into());
     }
     while answer.last().is_some_and(|line| line.is_empty()) {
         answer.pop();

@@ -31,8 +31,9 @@ pub fn grey(name: &'static str, title: Text, image: &Image, range: (f64, f64)) -
 
 /// The values of an image in tones, the first at the start of `range` and the last at its end; otherwise as [`picture`].
 pub fn tones(name: &'static str, title: Text, image: &Image, range: (f64, f64), tones: Tones) -> Panel {
-    let ((x0, x1), (y0, y1)) = (extent(image.grid().x()), extent(image.grid().y()));
-    Panel::new(name, title, unmarked(x0, x1), unmarked(y1, y0)).square().with(pixels(image, range, tones))
+    let (x, y) = (extent(image.grid().x()), extent(image.grid().y()));
+    let panel = Panel::new(name, title, unmarked(x.0, x.1), unmarked(y.1, y.0)).square();
+    panel.with(Layer::raster("pixels", x, y, image.pixels().clone(), range, tones))
 }
 
 /// A picture in colours, otherwise as [`picture`].
@@ -40,12 +41,6 @@ pub fn colors(name: &'static str, title: Text, picture: &Rgb) -> Panel {
     let (x, y) = (extent(picture.grid().x()), extent(picture.grid().y()));
     let panel = Panel::new(name, title, unmarked(x.0, x.1), unmarked(y.1, y.0)).square();
     panel.with(Layer::colors("pixels", x, y, picture))
-}
-
-/// The values of an image over the rectangle that its pixels cover.
-pub fn pixels(image: &Image, range: (f64, f64), tones: Tones) -> Layer {
-    let (x, y) = (extent(image.grid().x()), extent(image.grid().y()));
-    Layer::raster("pixels", x, y, image.pixels().clone(), range, tones)
 }
 
 /// The same panel turned upside down: `y` points up, as in formulas.

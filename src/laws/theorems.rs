@@ -3,6 +3,7 @@
 use crate::axis::Axis;
 use crate::error::Result;
 use crate::laws::Law;
+use crate::num::mean::mean;
 use crate::num::quadrature::{even_breaks, integrate_pieces};
 use crate::residual::Residual;
 use crate::sampled::Samples;
@@ -57,12 +58,16 @@ pub fn parseval(pair: &impl FourierPair, breaks: &[f64], tail: f64) -> Residual 
     Residual::near("∫f² = ∫|F|²", space.value, frequency, bound)
 }
 
-/// `T Σ f(x_j)² = (1/span) Σ |F(ν_k)|²`, exact for any samples. Allowed: the rounding of an FFT, `8ε·log₂n`, relative.
+/// `T Σ f(x_j)² = (1/span) Σ |F(ν_k)|²`, exact for any samples.
+///
+/// Allowed, relative: twice the rounding of an FFT, `8ε·log₂n`, as the norm's square is off by twice what the norm is; and
+/// `8ε` for squares, [means](mean) and factors. Plain sums of `n` squares could be off by `nε/2` where many are equal.
 pub fn parseval_of_samples(samples: &Samples) -> Residual {
-    let space: f64 = samples.values().iter().map(|v| v * v).sum::<f64>() * samples.axis().step();
-    let bins = forward(samples);
-    let frequency: f64 = bins.values().iter().map(|v| v.norm_sqr()).sum::<f64>() / samples.axis().span();
-    let bound = 8.0 * f64::EPSILON * (samples.values().len() as f64).log2().max(1.0) * space;
+    let (axis, bins) = (samples.axis(), forward(samples));
+    let squares: Vec<f64> = samples.values().iter().map(|v| v * v).collect();
+    let powers: Vec<f64> = bins.values().iter().map(|v| v.norm_sqr()).collect();
+    let (space, frequency) = (axis.span() * mean(&squares), mean(&powers) / axis.step());
+    let bound = (2.0 * 8.0 * (squares.len() as f64).log2().max(1.0) + 8.0) * f64::EPSILON * space;
     Residual::near("T·Σf² = Σ|F|²/span", frequency, space, bound)
 }
 

@@ -14,9 +14,9 @@
 //!   none, above the plot. Layers of one label share an entry.
 //! - Lines are cut at the frame. Dots beyond it are left out; on it they are whole. Notes are moved into their panel.
 //! - A panel that says what its tones stand for has a bar with numbers to its right.
-//! - Pictures of a row stand level. Cells of a raster are whole units: a plot shrinks to the next multiple of its raster. A raster fits well where a
-//!   multiple of its cells is about the room of a square plot: 640 units in one row of one or two columns, 400 in three,
-//!   300 in four, 290 in two rows. Cells below a unit are averaged in linear light.
+//! - Pictures of a row stand level. Cells of a raster are whole units: a plot shrinks to the next multiple of its raster.
+//!   A raster fits well where a multiple of its cells is about the room of a square plot: 640 units in one row of one or
+//!   two columns, 400 in three, 300 in four, 290 in two rows. Cells below a unit are averaged in linear light.
 //!
 //! ```
 //! use nyquist::figure::{Figure, Layer, Meaning, Panel, Scale};

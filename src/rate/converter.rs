@@ -6,6 +6,7 @@ use crate::rate::between::{Between, Steps};
 use crate::rate::blocks::{Blocks, Lane};
 use crate::rate::quality::Quality;
 use crate::rate::ratio::{Ratio, too_much};
+use crate::sampled::segments::whole_frames;
 
 /// The most values that all channels may keep between blocks: 4 GB.
 const MOST_ROOM: usize = 1 << 29;
@@ -126,13 +127,7 @@ impl Converter {
     /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`]; nothing has been taken then.
     pub fn push(&mut self, frames: &[f64], out: &mut Vec<f64>) -> Result<()> {
         let count = self.channels.len();
-        if !frames.len().is_multiple_of(count) {
-            let expected = frames.len().next_multiple_of(count);
-            return Err(Error::Length { what: "the values of whole frames", expected, got: frames.len() });
-        }
-        if let Some(index) = frames.iter().position(|v| !v.is_finite()) {
-            return Err(Error::NotFiniteAt { what: "samples", index, value: frames[index] });
-        }
+        whole_frames(frames, count)?;
         self.taken += (frames.len() / count) as u64;
         let way = &self.way;
         parallel::chunks(&mut self.channels, 1, |i, channel| {

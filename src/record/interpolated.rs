@@ -28,7 +28,7 @@ pub struct Interpolated<'a> {
 
 #[derive(Debug, Clone)]
 enum Engine {
-    /// The samples without their mean, which no window keeps exactly.
+    /// The samples without their mean, which no window keeps exactly; with it where zero is what they are continued by.
     Kernel {
         samples: Samples,
         mean: f64,
@@ -54,9 +54,13 @@ impl<'a> Interpolated<'a> {
             let values = &values[piece.stretch.clone()];
             engines.push(match &piece.way {
                 Way::Kernel { axis, kernel, edge, band, .. } => {
-                    let mean = mean(values);
-                    let samples = Samples::new(*axis, values.iter().map(|v| v - mean).collect())?;
-                    beyond = beyond.max(part_beyond(&samples, *band));
+                    let average = mean(values);
+                    let centred = Samples::new(*axis, values.iter().map(|v| v - average).collect())?;
+                    beyond = beyond.max(part_beyond(&centred, *band));
+                    let (samples, mean) = match edge {
+                        Edge::Zero => (Samples::new(*axis, values.to_vec())?, 0.0),
+                        _ => (centred, average),
+                    };
                     Engine::Kernel { samples, mean, kernel: *kernel, edge: *edge }
                 }
                 Way::Periodic { axis } => {
@@ -77,12 +81,7 @@ impl<'a> Interpolated<'a> {
 
     /// The values at many places, on all threads.
     pub fn at_all(&self, places: &[f64]) -> Vec<f64> {
-        const CHUNK: usize = 1024;
-        let mut values = vec![0.0; places.len()];
-        parallel::chunks(&mut values, CHUNK, |i, values| {
-            values.iter_mut().zip(&places[i * CHUNK..]).for_each(|(value, x)| *value = self.at(*x));
-        });
-        values
+        parallel::map(places.len(), |i| self.at(places[i]))
     }
 
     /// Where kernels are used, the part of the energy that lies beyond the band they were made for: it is damped, and what

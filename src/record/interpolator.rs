@@ -188,7 +188,8 @@ impl Interpolator {
     ///
     /// # Errors
     /// A method of equally spaced samples where they are not; a band that the positions do not support
-    /// ([`Error::OutOfRange`] or [`Error::IllConditioned`], with the numbers); fewer than two samples without a long gap.
+    /// ([`Error::OutOfRange`] or [`Error::IllConditioned`], with the numbers); no stretch without a long gap of four
+    /// samples, or of two that are equally spaced.
     pub fn new(sampling: &Sampling, wanted: Wanted) -> Result<Self> {
         let (mut pieces, mut left_out) = (Vec::new(), Vec::new());
         for stretch in sampling.stretches() {
@@ -203,10 +204,12 @@ impl Interpolator {
             pieces.push(Piece { way: way(sampling, stretch.clone(), axis, wanted)?, stretch, between });
         }
         if pieces.is_empty() {
-            return Err(Error::TooFew { what: "samples in a row without a long gap", least: FEW, got: 1 });
+            let got = left_out.iter().map(Range::len).max().unwrap_or(0);
+            return Err(Error::TooFew { what: "samples in a row without a long gap", least: FEW, got });
         }
-        let last = sampling.positions()[sampling.positions().len() - 1].abs();
-        Ok(Self { pieces, left_out, slack: sampling.rounding() + 4.0 * f64::EPSILON * last })
+        let positions = sampling.positions();
+        let farthest = positions[0].abs().max(positions[positions.len() - 1].abs());
+        Ok(Self { pieces, left_out, slack: sampling.rounding() + 4.0 * f64::EPSILON * farthest })
     }
 
     /// The pieces, in order.
@@ -254,9 +257,8 @@ fn way(sampling: &Sampling, stretch: Range<usize>, axis: Option<Axis>, wanted: W
     match wanted.method.unwrap_or(by_default) {
         Method::Periodic => Ok(Way::Periodic { axis: equal()? }),
         Method::LeastSquares => {
-            let nodes = sampling.nodes().get(stretch.clone()).filter(|_| sampling.jitter().most == 0.0);
+            let nodes = sampling.nodes_of(stretch.clone());
             let positions = &sampling.positions()[stretch];
-            let nodes = nodes.filter(|nodes| !nodes.is_empty());
             Ok(Way::LeastSquares(Recoverable::new(positions, nodes, wanted.edge, wanted.band, wanted.most_condition)?))
         }
         method => {

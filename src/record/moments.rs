@@ -40,10 +40,7 @@ impl Moments {
     }
 
     /// Every `step` from the first moment, `last` included if it is one of them.
-    ///
-    /// # Errors
-    /// As [`Moments::every`].
-    pub fn between(first: Decimal, last: Decimal, step: Decimal) -> Result<Self> {
+    fn between(first: Decimal, last: Decimal, step: Decimal) -> Result<Self> {
         let what = "the step of the times asked for";
         let size = step.value();
         if size <= 0.0 {

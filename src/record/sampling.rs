@@ -2,6 +2,7 @@
 
 use crate::door::table::Table;
 use crate::error::{Error, Result, all_finite, positive};
+use crate::num::mean::mean;
 use crate::record::line::{Line, through};
 use crate::record::steps::Steps;
 
@@ -232,11 +233,11 @@ impl Sampling {
             return Err(Error::Length { what: "values in rows", expected: self.rows.len(), got: values.len() });
         }
         all_finite("values in rows", values)?;
-        let mean = |rows: &[usize]| match rows {
+        let value = |rows: &[usize]| match rows {
             [row] => values[*row],
-            rows => rows.iter().map(|&row| values[row] / rows.len() as f64).sum(),
+            rows => mean(&rows.iter().map(|&row| values[row]).collect::<Vec<_>>()),
         };
-        Ok(self.groups().map(mean).collect())
+        Ok(self.groups().map(value).collect())
     }
 
     /// How many positions have rows whose values differ.
@@ -326,7 +327,7 @@ fn ordered(positions: &[f64]) -> (Order, Vec<usize>) {
 fn fitted(positions: &[f64], nodes: &[usize]) -> Line {
     let n = positions.len() as f64;
     let mean_node = nodes.iter().map(|&k| k as f64).sum::<f64>() / n;
-    let mean = positions.iter().sum::<f64>() / n;
+    let mean = mean(positions);
     let (mut across, mut square) = (0.0, 0.0);
     for (x, &k) in positions.iter().zip(nodes) {
         let k = k as f64 - mean_node;

@@ -50,11 +50,16 @@ impl Sampling {
 
     /// The equally spaced positions of a stretch; none where they are not.
     pub fn axis_of(&self, stretch: Range<usize>) -> Option<Axis> {
-        let on_grid = matches!(self.kind, Kind::Uniform | Kind::Gaps);
-        let nodes = self.nodes.get(stretch.clone()).filter(|nodes| !nodes.is_empty() && on_grid)?;
+        let nodes = self.nodes_of(stretch.clone())?;
         let step = self.line?.step;
         let dense = nodes[nodes.len() - 1] - nodes[0] + 1 == nodes.len();
         dense.then(|| Axis::new(self.positions[stretch.start], step, nodes.len()).ok()).flatten()
+    }
+
+    /// The nodes of a stretch on a grid, with or without gaps; none where positions are on none.
+    pub(crate) fn nodes_of(&self, stretch: Range<usize>) -> Option<&[usize]> {
+        let on_grid = matches!(self.kind, Kind::Uniform | Kind::Gaps);
+        self.nodes.get(stretch).filter(|nodes| on_grid && !nodes.is_empty())
     }
 
     /// The stretches without long gaps: four missing samples in a row, or 20 medians of the ways where there is no step,

@@ -52,12 +52,12 @@ impl Places {
     ///
     /// On a grid by the fast transform, exact to rounding at any order. Anywhere by the direct sum while that is short:
     /// waves are computed as powers, from a fresh one every 512 harmonics, so that each is off by at most about `10³ε` and
-    /// the rounding `mε` of its argument. Longer ones by the fast transform of weights that Gaussians spread over a grid of
+    /// the rounding `πmε` of its argument. Longer ones by the fast transform of weights that Gaussians spread over a grid of
     /// at least `N = 4(order + 1)` nodes (Dutt and Rokhlin 1993; Greengard and Lee 2004): `O(n + N log N)`, off by at most
-    /// `(4e^{−2π·17/3} + 90 ε log₂ N) Σ|w_j|` beside the same `mε`. The first part is the bound of Steidl (*A note on fast
-    /// Fourier transforms for nonequispaced grids*, 1998) for Gaussians cut off 17 nodes from their middle and twofold
-    /// oversampling; in the second the rounding of the transform is divided by a Gaussian that falls to 1/86. The same bits
-    /// for any number of threads.
+    /// `(4e^{−2π·17/3} + 90 ε log₂ N) Σ|w_j|` beside the same `πmε` and the `nε` of adding up `n` terms. The first part is
+    /// the bound of Steidl (*A note on fast Fourier transforms for nonequispaced grids*, 1998) for Gaussians cut off 17
+    /// nodes from their middle and twofold oversampling; in the second the rounding of the transform is divided by a
+    /// Gaussian that falls to 1/86. The same bits for any number of threads.
     ///
     /// ```
     /// use nyquist::sampled::harmonics::Places;

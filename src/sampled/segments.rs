@@ -3,7 +3,7 @@
 
 use crate::engine::fft::{Butterflies, RealFft};
 use crate::error::{Error, Result};
-use crate::num::mean::mean;
+use crate::num::mean::{mean, weighted_mean};
 use crate::parallel;
 use crate::sampled::window::Window;
 use num_complex::Complex;
@@ -23,8 +23,9 @@ pub enum Detrend {
     /// Its mean, so that a constant does not leak into the lowest bins.
     #[default]
     Mean,
-    /// Its mean under the window, `Σwx/Σw`, so that the first bin is empty. The plain mean of a tone that does not end with
-    /// a period is not zero: what is taken away with it would stand at zero under a window that has no such side lobes.
+    /// Its mean under the window, `Σwx/Σw`, so that the bin at zero is empty. The plain mean of a tone that does not end
+    /// with a period is not zero; taken away before the window, it leaves a line at zero that stands far above the side
+    /// lobes of a good window.
     WindowedMean,
 }
 
@@ -138,6 +139,18 @@ pub struct Periodograms {
     benches: Vec<Bench>,
 }
 
+/// Refuses a part of a frame, and values that are not finite.
+pub(crate) fn whole_frames(frames: &[f64], channels: usize) -> Result<()> {
+    if !frames.len().is_multiple_of(channels) {
+        let expected = frames.len().next_multiple_of(channels);
+        return Err(Error::Length { what: "the values of whole frames", expected, got: frames.len() });
+    }
+    match frames.iter().position(|v| !v.is_finite()) {
+        Some(index) => Err(Error::NotFiniteAt { what: "samples", index, value: frames[index] }),
+        None => Ok(()),
+    }
+}
+
 /// Room to transform one segment in.
 #[derive(Default)]
 struct Bench {
@@ -183,13 +196,7 @@ impl Periodograms {
     /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`]; nothing has been taken then.
     pub fn push(&mut self, frames: &[f64], mut each: impl FnMut(usize, &[f64])) -> Result<()> {
         let count = self.queues.len();
-        if !frames.len().is_multiple_of(count) {
-            let expected = frames.len().next_multiple_of(count);
-            return Err(Error::Length { what: "the values of whole frames", expected, got: frames.len() });
-        }
-        if let Some(index) = frames.iter().position(|v| !v.is_finite()) {
-            return Err(Error::NotFiniteAt { what: "samples", index, value: frames[index] });
-        }
+        whole_frames(frames, count)?;
         for channel in 0..count {
             self.queues[channel].extend(frames.iter().skip(channel).step_by(count));
             self.run(channel, BENCHES, &mut each);
@@ -242,12 +249,4 @@ impl Bench {
         self.powers.clear();
         self.powers.extend(self.half.iter().map(|z| z.norm_sqr()));
     }
-}
-
-/// `Σwx/Σw`, with that of what is left added once more, as [`mean`] does.
-pub(crate) fn weighted_mean(samples: &[f64], weights: &[f64]) -> f64 {
-    let sum: f64 = weights.iter().sum();
-    let of = |away: f64| samples.iter().zip(weights).map(|(v, w)| (v - away) * w).sum::<f64>() / sum;
-    let first = of(0.0);
-    first + of(first)
 }

@@ -16,7 +16,7 @@ pub const MOST_PIXELS: usize = 1 << 25;
 pub const MOST_IN_A_ROW: usize = 1 << 24;
 
 /// The largest radius of a kernel, in pixels: with it every sample is weighed for more than four thousand pixels.
-pub const MOST_RADIUS: f64 = 32.0;
+pub const MOST_FILTER_RADIUS: f64 = 32.0;
 
 fn most(what: &'static str, factors: [usize; 2], most: usize) -> Result<()> {
     match factors[0].checked_mul(factors[1]) {
@@ -42,7 +42,7 @@ fn most(what: &'static str, factors: [usize; 2], most: usize) -> Result<()> {
 ///
 /// # Errors
 /// A picture without pixels or with more than [`MOST_PIXELS`], more samples a row than [`MOST_IN_A_ROW`], a kernel of a
-/// radius beyond [`MOST_RADIUS`].
+/// radius beyond [`MOST_FILTER_RADIUS`].
 pub fn render(
     scene: &(impl Scene + ?Sized),
     width: usize,
@@ -67,10 +67,10 @@ pub fn render_watched(
     watch: impl Fn() + Sync + Send,
 ) -> Result<Rgb> {
     most("the number of pixels of a picture", [width, height], MOST_PIXELS)?;
-    if kernel.radius().is_finite() && kernel.radius() > MOST_RADIUS {
+    if kernel.radius().is_finite() && kernel.radius() > MOST_FILTER_RADIUS {
         let what =
             "the radius of a rendered picture's kernel, in pixels (wider ones take a sample into thousands of pixels),";
-        return Err(Error::OutOfRange { what, value: kernel.radius(), low: 0.0, high: MOST_RADIUS });
+        return Err(Error::OutOfRange { what, value: kernel.radius(), low: 0.0, high: MOST_FILTER_RADIUS });
     }
     let film = Film::new(Grid::pixels(width, height)?, kernel)?;
     let wide = width + 2 * film.reach();

@@ -23,8 +23,13 @@ fn spectra_and_power_spectra_are_the_direct_sums() {
         plan.power(&image, &mut power).unwrap();
         plan.forward(&image, &mut bins).unwrap();
         let norm = size(image.iter().map(|&x| x.into())) * ((nx * ny) as f64).sqrt() * grid.pixel_area();
-        // positions and frequencies of the oracle round, as far as they are from zero
-        let bound = (rounding(nx, f64::EPSILON) + rounding(ny, f64::EPSILON) + 64.0 * f64::EPSILON) * norm;
+        // the oracle's angles 2πν·x of so many turns at most are right to ten roundings (frequency, position, product, sum
+        // and π), its sum of nx·ny terms errs as a random walk does; units and phases of the transform as `Turns` says, on
+        // both axes
+        let turns = 0.5 * (2.3 / grid.x().step() + 4.0 / grid.y().step());
+        let oracle = (10.0 * PI * turns + ((nx * ny) as f64).sqrt()) * f64::EPSILON;
+        let planned = rounding(nx, f64::EPSILON) + rounding(ny, f64::EPSILON) + 32.0 * f64::EPSILON;
+        let bound = (planned + oracle) * norm;
         for (i, [u, v]) in grid.dual().iter().enumerate() {
             let wave = |[x, y]: [f64; 2]| Complex::cis(-2.0 * PI * (u * x + v * y));
             let sum: Complex<f64> = grid.iter().zip(&image).map(|(p, f)| wave(p) * f).sum();

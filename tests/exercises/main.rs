@@ -147,6 +147,11 @@ fn a_stub_has_the_task_in_its_language_and_not_the_solution() {
             let body: Vec<&str> = hidden.lines().filter(|line| line.starts_with("    ") && line.len() > 12).collect();
             assert!(body.iter().any(|line| !stub.contains(line)), "{stub}");
         }
+        // what stands above the function is in its reader's language as well
+        let above =
+            |lang| exercise.stub(lang).lines().filter(|line| line.starts_with("///")).map(str::to_owned).collect();
+        let [en, ru]: [Vec<String>; 2] = [Lang::En, Lang::Ru].map(above);
+        assert!(!en.is_empty() && en.len() == ru.len() && en.iter().all(|line| !ru.contains(line)), "{ru:?}");
         assert!(exercise.program("answer.rs").contains(&format!("use answer::{};", exercise.function())));
     }
 }

@@ -70,9 +70,9 @@ fn f41_bisection_takes_the_logarithm_of_what_uniform_samples_take() {
     // six halvings for each of the two edges, sixteen uniform samples
     assert_eq!(points(&figure, "samples", "uniform").len(), 16);
     assert_eq!(points(&figure, "samples", "extra").len(), 2 * 6);
-    for ([width, taken], [_, uniform]) in
-        points(&figure, "cost", "adaptive").into_iter().zip(points(&figure, "cost", "uniform"))
-    {
+    let [adaptive, uniform] = ["adaptive", "uniform"].map(|layer| points(&figure, "cost", layer));
+    assert!(adaptive.len() > 1 && adaptive.len() == uniform.len());
+    for ([width, taken], [_, uniform]) in adaptive.into_iter().zip(uniform) {
         near(taken, 16.0 + 2.0 * (0.25 / width).log2(), 1e-9);
         near(uniform, 4.0 / width, 1e-9);
     }

@@ -39,11 +39,11 @@ fn lines_are_counted_where_they_stand() {
 
 #[test]
 fn broad_spectra_have_the_band_of_their_closed_form() {
-    // a Gaussian pulse e^{−t²/2s²}: its energy density is e^{−4π²s²ν²}, so that 99 % lie below 1.8214/(2πs·…)
+    // a Gaussian pulse e^{−t²/2s²}: its energy density is e^{−4π²s²ν²}, so that a part erf(2πsν) lies below ν
     let s = 0.05;
     for (kind, times) in kinds() {
         let found = look(&times, &times.iter().map(|t| (-0.5 * ((t - 10.0) / s).powi(2)).exp()).collect::<Vec<_>>());
-        // erf(2πsν) = 0.99 at 2πsν = 1.821386; and the pulse without its mean is the pulse to its share of the record
+        // 0.99 at 2πsν = 1.821386; and the pulse without its mean is the pulse to its share of the record
         let known = 1.821_386 / (2.0 * PI * s);
         let band = found.energy.occupied(0.99).expect("resolved");
         // resolved to some bins of 1/20, and Hann's window smears by as many

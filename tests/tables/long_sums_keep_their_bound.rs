@@ -1,4 +1,4 @@
-//! Sums over many irregular places go over a grid; beside them the sums term by term.
+//! Sums over irregular places, by powers of waves and, where they are long, over a grid; beside them the sums term by term.
 
 use nyquist::num::random::{normal, uniform};
 use nyquist::num::{cos_pi, sin_pi};
@@ -6,8 +6,9 @@ use nyquist::sampled::harmonics::Places;
 use std::f64::consts::PI;
 
 #[test]
-fn long_sums_are_those_of_their_terms() {
-    for (count, order) in [(2, 400_000), (700, 5_000), (3_000, 3_000)] {
+fn sums_are_those_of_their_terms() {
+    // the first by powers, the others over a grid
+    for (count, order) in [(40, 6_000), (2, 400_000), (700, 5_000), (3_000, 3_000)] {
         let places = |seed: u64| (0..count).map(|j| uniform(seed, j, 0)).collect::<Vec<f64>>();
         // anywhere, crowded at both ends of the period, and all at one place
         let crowded = places(2).iter().map(|u| (1e-4 * (u - 0.5)).rem_euclid(1.0)).collect();
@@ -16,7 +17,10 @@ fn long_sums_are_those_of_their_terms() {
             let found = Places::Anywhere(parts.clone()).harmonics(&weights, order).unwrap();
             let sum: f64 = weights.iter().map(|w| w.abs()).sum();
             let nodes = (4 * (order + 1)) as f64;
-            let bound = 4.0 * (-2.0 * PI * 17.0 / 3.0).exp() + 90.0 * f64::EPSILON * nodes.log2();
+            let bound = match count {
+                40 => 1e3 * f64::EPSILON,
+                _ => 4.0 * (-2.0 * PI * 17.0 / 3.0).exp() + 90.0 * f64::EPSILON * nodes.log2(),
+            };
             for m in (0..=order).step_by(order / 97) {
                 let (mut re, mut im) = (0.0, 0.0);
                 for (part, weight) in parts.iter().zip(&weights) {

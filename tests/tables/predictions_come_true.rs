@@ -76,7 +76,8 @@ fn aliases_are_found_where_they_were_predicted() {
             let predicted = aliases_of(&found, &prediction, rate);
             let frequencies: Vec<f64> = predicted.iter().map(|p| p.0).collect();
             let n = (29.0 * rate) as usize;
-            // the closed form at the new rate
+            // the closed form at the new rate; frequencies are found to 10⁻⁸ and amplitudes to 10⁻⁷ (as the test of lines
+            // has it), so that a line turns by 2·10⁻⁶ in 29 units of time
             let exact: Vec<f64> = (0..n).map(|k| signal(start + k as f64 / rate)).collect();
             for ((amplitude, phase), (nu, a, phi)) in measured(&exact, rate, &frequencies).into_iter().zip(&predicted) {
                 let turned = (phase - phi + PI).rem_euclid(2.0 * PI) - PI;
@@ -85,7 +86,7 @@ fn aliases_are_found_where_they_were_predicted() {
                     "{kind} {rate} {nu}: {amplitude} {a} {turned}"
                 );
             }
-            // the table, interpolated: not within a second of its ends, where values depend on the edge
+            // the table, interpolated: not within half a second of its ends, where values depend on the edge
             let first = (0.5 * rate).ceil() as usize;
             let taken: Vec<f64> = (first..n - first).map(|k| interpolated.at(start + k as f64 / rate)).collect();
             let there = measured(&taken, rate, &frequencies);

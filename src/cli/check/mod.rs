@@ -7,6 +7,7 @@ mod table;
 use crate::cli::given::Given;
 use crate::cli::number::quotient;
 use crate::cli::source::Source;
+use crate::cli::table::Frequencies;
 use crate::cli::{Failure, report};
 use nyquist::door::kind::Kind;
 use nyquist::figure::report::Report;
@@ -29,11 +30,9 @@ pub(super) struct Args {
     #[command(flatten)]
     report: report::Options,
     #[command(flatten)]
-    sound: sound::Options,
-    #[command(flatten)]
     picture: picture::Options,
     #[command(flatten)]
-    table: table::Options,
+    table: Frequencies,
 }
 
 fn after_help() -> String {

@@ -2,6 +2,7 @@
 
 use crate::cli::Failure;
 use crate::cli::check::{Args, Checked};
+use crate::cli::number::number;
 use crate::cli::picture::{Most, open, seen, short};
 use crate::cli::source::Source;
 use crate::cli::working::spinner;
@@ -41,8 +42,8 @@ pub(super) struct Options {
 
 /// A number, or two with a comma between.
 fn scale(text: &str) -> Result<[f64; 2], String> {
-    let number = |part: &str| -> Result<f64, String> {
-        let value = crate::cli::picture::number(part)?;
+    let positive = |part: &str| -> Result<f64, String> {
+        let value = number(part)?;
         if value.is_finite() && value > 0.0 {
             Ok(value)
         } else {
@@ -50,8 +51,8 @@ fn scale(text: &str) -> Result<[f64; 2], String> {
         }
     };
     match text.split_once(',') {
-        Some((x, y)) => Ok([number(x)?, number(y)?]),
-        None => number(text).map(|s| [s, s]),
+        Some((x, y)) => Ok([positive(x)?, positive(y)?]),
+        None => positive(text).map(|s| [s, s]),
     }
 }
 
@@ -119,7 +120,7 @@ fn of_shrinking(shrinking: &Shrinking, checked: &report::Checked) -> Value {
         let found = checked.found.get(i).copied().unwrap_or_default();
         let cause = |which: usize, way: &str| {
             let predicted = shrinking.way(way)?.moires.get(i)?.contrast;
-            Some(match found[which]?.cause(predicted, 0.1 * shrinking.tolerance.contrast())? {
+            Some(match found[which]?.cause(predicted, shrinking.tolerance.noticeable())? {
                 Cause::Added => "more: texture lands there as well",
                 Cause::Taken => "less: texture takes from it",
                 Cause::Images => "ratio not whole",

@@ -9,12 +9,6 @@ use nyquist::figure::report::sound::{Subject, report};
 use nyquist::inspect::sound::{Channel, Check, Ending, Folded, Forecast, Meter, Outcome, TOLERANCE, Way, dbfs};
 use serde_json::{Value, json};
 
-/// What can be said of sounds alone.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Sound")]
-#[group(skip)]
-pub(super) struct Options {}
-
 /// What stands below the options.
 pub(super) const HELP: &str =
     "Sound: with --rate R, what lies beyond R/2 and where it lands, sampled plainly (as when samples are
@@ -68,6 +62,7 @@ fn json(name: &str, format: WavFormat, check: &Check) -> Value {
         "worst_channel": check.worst() + 1,
         "smallest_rate": sound.smallest_rate(check.tolerance()),
         "burst_db": check.burst(),
+        "burst_channel": check.burst_in().map(|(i, _)| i + 1),
         "channels": sound.channels().iter().map(channel).collect::<Vec<_>>(),
         "forecast": check.forecasts().iter().map(forecast).collect::<Vec<_>>(),
     })

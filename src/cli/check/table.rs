@@ -9,19 +9,6 @@ use nyquist::figure::report::table::report;
 use nyquist::inspect::table::{ColumnCheck, Landing, Line, Look, Prediction, TOLERANCE, TableCheck, units};
 use serde_json::{Value, json};
 
-/// What can be said of tables alone.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Tables")]
-#[group(skip)]
-pub(super) struct Options {
-    #[command(flatten)]
-    table: table::Options,
-    /// The highest frequency to look at [default: half the rate; of times without a step, their
-    /// density]
-    #[arg(long, value_name = "FREQUENCY", allow_negative_numbers = true)]
-    up_to: Option<f64>,
-}
-
 pub(super) fn check(source: Source, args: &Args) -> Result<Checked, Failure> {
     let (options, name) = (&args.table, source.name.clone());
     let table = options.table.read(source)?;

@@ -7,7 +7,6 @@ use crate::cli::exercise::workshop::Workshop;
 use nyquist::exercise::{Exercise, catalog};
 use nyquist::text::Lang;
 use rayon::prelude::*;
-use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -60,25 +59,32 @@ fn students(folder: &Path) -> Result<Vec<String>, Failure> {
 
 /// All are compiled in one go, and run one a processor.
 fn judged(args: &Args, students: &[String]) -> Result<Vec<Submission>, Failure> {
-    let root = args.folder.join(".nyquist");
-    let workshop = Workshop::open(&root, args.library.as_deref())?;
-    let root = fs::canonicalize(root)?;
     let exercises = catalog::all();
-    let mut handed_in = Vec::new();
+    let mut found = Vec::new();
     for (number, student) in students.iter().enumerate() {
         for exercise in &exercises {
             let file = fs::canonicalize(args.folder.join(student).join(format!("{}.rs", exercise.file())));
-            let Ok(file) = file else { continue };
-            let program = format!("s{number}_{}", exercise.file());
-            workshop.program(&program, &exercise.program(&file.to_string_lossy()))?;
-            handed_in.push((student.clone(), exercise.clone(), program));
+            found.extend(file.ok().map(|file| (number, student, exercise, file)));
         }
+    }
+    if found.is_empty() {
+        let why = "there is no answer (NN_name.rs) in any student's folder";
+        return Err(Failure::trouble(args.folder.display(), why));
+    }
+    let root = args.folder.join(".nyquist");
+    let workshop = Workshop::open(&root, args.library.as_deref())?;
+    let root = fs::canonicalize(root)?;
+    let mut handed_in = Vec::new();
+    for (number, student, exercise, file) in found {
+        let program = format!("s{number}_{}", exercise.file());
+        workshop.program(&program, &exercise.program(&file.to_string_lossy()))?;
+        handed_in.push((student.clone(), exercise.clone(), program));
     }
     let names: Vec<String> = handed_in.iter().map(|(.., program)| program.clone()).collect();
     workshop.keep(&names)?;
     let count = format!("{} answers of {} students", names.len(), students.len());
     let _ = writeln!(std::io::stderr(), "compiling {count} …"); // nobody to tell if it is closed
-    let compiled = if names.is_empty() { BTreeMap::new() } else { workshop.compile(&names)? };
+    let compiled = workshop.compile(&names)?;
     let judge = |(student, exercise, program): (String, Exercise, String)| {
         let compiled = compiled.get(&program).cloned().expect("every program was compiled or not");
         let (verdict, _) = Verdict::of(compiled, &root.join(format!("{program}.report")), args.limits)?;
@@ -112,7 +118,7 @@ fn table(students: &[String], submissions: &[Submission], lang: Lang, out: &mut 
     if missed.peek().is_some() {
         writeln!(out)?;
     }
-    for Submission { student, exercise, verdict, .. } in missed {
+    for Submission { student, exercise, verdict } in missed {
         let (word, sentence) = (verdict.word(), verdict.sentence(lang));
         writeln!(out, "{student}, {:02} {}: {word}: {sentence}", exercise.number, exercise.id)?;
     }

@@ -4,16 +4,14 @@ mod words;
 
 use crate::cli::source::Source;
 use crate::cli::table;
-use crate::cli::working::{note, working};
+use crate::cli::working::{note, progress, working};
 use crate::cli::{Failure, files};
 use clap::ArgGroup;
-use indicatif::{ProgressBar, ProgressStyle};
 use nyquist::axis::Edge;
 use nyquist::door::table::{Clock, Decimal, Heading, Table, TableWriter};
 use nyquist::error::Error;
 use nyquist::record::{Interpolated, Interpolator, Method, Moments, Sampling, Wanted};
-
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -264,10 +262,7 @@ fn write(
     sink: &mut dyn Write,
 ) -> io::Result<()> {
     const CHUNK: usize = 1 << 16;
-    let bar = if io::stderr().is_terminal() { ProgressBar::new(moments.len() as u64) } else { ProgressBar::hidden() };
-    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {percent} % {eta}") {
-        bar.set_style(style);
-    }
+    let progress = progress(Some(moments.len() as u64), "rows");
     let mut writer = TableWriter::new(record.table.dialect);
     if record.table.headed {
         let values = record.table.columns.iter().map(|column| column.heading.clone());
@@ -287,8 +282,8 @@ fn write(
             writer.row(Some(&record.clock.show(moments.at(i))), &cells.collect::<Vec<_>>());
         }
         sink.write_all(writer.take().as_bytes())?;
-        bar.set_position((start + places.len()) as u64);
+        progress.set_position((start + places.len()) as u64);
     }
-    bar.finish_and_clear();
+    progress.finish_and_clear();
     sink.write_all(writer.take().as_bytes())
 }

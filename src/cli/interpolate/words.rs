@@ -121,7 +121,7 @@ pub(super) fn way(record: &Record, piece: &Piece) -> String {
         }
 }
 
-/// Parts of the energy beyond the band from which on they are spoken of.
+/// Parts of the energy beyond the band from which on they are spoken of: amplitudes of a thousandth.
 const SPOKEN_OF: f64 = 1e-6;
 
 /// What the values have that was not interpolated: frequencies beyond the band of kernels, distances from what was fitted.

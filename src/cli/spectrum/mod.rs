@@ -6,6 +6,7 @@ mod table;
 
 use crate::cli::given::Given;
 use crate::cli::source::Source;
+use crate::cli::table::Frequencies;
 use crate::cli::{Failure, files};
 use nyquist::door::kind::Kind;
 use nyquist::door::table::{Dialect, Heading, Separator, TableWriter};
@@ -47,7 +48,7 @@ pub(super) struct Args {
     #[command(flatten)]
     picture: picture::Options,
     #[command(flatten)]
-    table: table::Options,
+    table: Frequencies,
 }
 
 /// A spectrum in all the forms that it can be written in.
@@ -93,8 +94,8 @@ pub(super) fn run(args: &Args, given: &Given, out: &mut impl Write) -> Result<()
 }
 
 fn form(path: &Path) -> Result<Form, Failure> {
-    let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
-    match (extension.as_str(), extension.parse()) {
+    let ending = files::ending(path);
+    match (ending.as_str(), ending.parse()) {
         _ if path == Path::new("-") => Ok(Form::Csv),
         ("csv", _) => Ok(Form::Csv),
         ("json", _) => Ok(Form::Json),

@@ -115,6 +115,7 @@ fn averaged(name: &str, frames: u64, quantity: Quantity, log: bool, found: &[Pow
         (0..found.len()).map(|i| json!({ "values": all(1 + 2 * i), "levels": all(2 + 2 * i) })).collect();
     let json = json!({
         "file": name,
+        "kind": "sound",
         "rate": first.rate(),
         "frames": frames,
         "quantity": quantity.name(),
@@ -145,6 +146,7 @@ fn over_time(name: &str, rate: f64, segments: Segments, found: &[Spectrogram]) -
         (0..times).flat_map(|time| (0..found.len()).map(move |c| (time, c))).map(|(t, c)| row(t, c)).collect();
     let json = json!({
         "file": name,
+        "kind": "sound",
         "rate": rate,
         "units": { "levels": "dBFS/Hz" },
         "window": segments.window().to_string(),

@@ -12,19 +12,6 @@ use nyquist::inspect::table::{LeastSquaresSpectrum, units};
 use nyquist::record::Sampling;
 use serde_json::{Value, json};
 
-/// What can be said of tables alone.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Tables")]
-#[group(skip)]
-pub(super) struct Options {
-    #[command(flatten)]
-    table: table::Options,
-    /// The highest frequency [default: half the rate; of times without a step, their
-    /// density]
-    #[arg(long, value_name = "FREQUENCY", allow_negative_numbers = true)]
-    up_to: Option<f64>,
-}
-
 pub(super) fn spectrum(source: Source, args: &Args) -> Result<Computed, Failure> {
     let (options, name) = (&args.table, source.name.clone());
     let table = options.table.read(source)?;

@@ -8,7 +8,7 @@ use crate::door::jpeg::segments::Segments;
 use crate::door::orientation::turned;
 use crate::door::transfer::Transfer;
 use crate::error::Result;
-use jpeg_decoder::{Decoder, PixelFormat};
+use jpeg_decoder::{Decoder, PixelFormat, UnsupportedFeature as Feature};
 
 pub(in crate::door) fn read(name: &str, bytes: &[u8], limits: Limits, light: Light) -> Result<Opened> {
     let damaged = |error: jpeg_decoder::Error| refused(name, in_words(error));
@@ -16,11 +16,16 @@ pub(in crate::door) fn read(name: &str, bytes: &[u8], limits: Limits, light: Lig
     decoder.read_info().map_err(damaged)?;
     let info = decoder.info().ok_or_else(|| refused(name, "there is no header"))?;
     let grid = checked_grid(name, u64::from(info.width), u64::from(info.height), limits)?;
-    let (channels, depth) = match info.pixel_format {
-        PixelFormat::L8 => (1, Depth::Eight),
-        PixelFormat::L16 => (1, Depth::Sixteen),
-        PixelFormat::RGB24 => (3, Depth::Eight),
-        PixelFormat::CMYK32 => {
+    let segments = Segments::of(bytes);
+    let (channels, depth) = match (info.pixel_format, segments.precision()) {
+        (PixelFormat::L8, _) => (1, Depth::Eight),
+        (PixelFormat::L16, Some(bits @ 9..=15)) => {
+            // the decoder leaves them as they are, so that white would not be the highest code
+            return Err(damaged(jpeg_decoder::Error::Unsupported(Feature::SamplePrecision(bits))));
+        }
+        (PixelFormat::L16, _) => (1, Depth::Sixteen),
+        (PixelFormat::RGB24, _) => (3, Depth::Eight),
+        (PixelFormat::CMYK32, _) => {
             return Err(refused(
                 name,
                 "CMYK, whose colours are known only with a printer's profile: convert it to RGB",
@@ -30,7 +35,6 @@ pub(in crate::door) fn read(name: &str, bytes: &[u8], limits: Limits, light: Lig
     let size = grid.len() * info.pixel_format.pixel_bytes();
     decoder.set_max_decoding_buffer_size(size);
     let mut samples = decoder.decode().map_err(damaged)?;
-    let segments = Segments::of(bytes);
     if samples.len() != size || runs_out(bytes, &segments, &samples) {
         return Err(refused(name, "the data do not have the size that the header says"));
     }
@@ -64,7 +68,6 @@ pub(in crate::door) fn read(name: &str, bytes: &[u8], limits: Limits, light: Lig
 
 /// What the decoder met.
 fn in_words(error: jpeg_decoder::Error) -> String {
-    use jpeg_decoder::UnsupportedFeature as Feature;
     match error {
         jpeg_decoder::Error::Io(error) if error.kind() == std::io::ErrorKind::UnexpectedEof => {
             "the JPEG ends in the middle".into()

@@ -36,6 +36,13 @@ impl<'a> Segments<'a> {
         Self { file, all, data }
     }
 
+    /// How many bits a sample has, as the frame's header says: SOF0 to SOF15, without DHT, JPG and DAC among them.
+    pub(super) fn precision(&self) -> Option<u8> {
+        let frame = |kind: u8| matches!(kind, 0xc0..=0xcf) && !matches!(kind, 0xc4 | 0xc8 | 0xcc);
+        let header = self.all.iter().find(|(kind, _)| frame(*kind));
+        header.and_then(|(_, content)| content.first().copied())
+    }
+
     /// What an application's segment of that name says: marker `0xe0 + application`, then the name.
     fn named(&self, application: u8, name: &[u8]) -> Option<&'a [u8]> {
         let found = self.all.iter().find(|(kind, content)| *kind == 0xe0 + application && content.starts_with(name));

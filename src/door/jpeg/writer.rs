@@ -41,13 +41,12 @@ pub(in crate::door) fn write(picture: &Picture, carried: &Carried, quality: u8) 
 
 /// A density as JFIF has it: whole numbers of 16 bits.
 fn header(density: Density) -> Option<PixelDensity> {
-    let (Density { x, y, per }, unit) = match density.per {
+    let (Density { x, y, .. }, unit) = match density.per {
         Per::Shape => (density, PixelDensityUnit::PixelAspectRatio),
         Per::Centimetre => (density, PixelDensityUnit::Centimeters),
         Per::Metre | Per::Inch => (density.per_inch(), PixelDensityUnit::Inches),
     };
     // a shape in large numbers would have to be reduced first: rather nothing
     let whole = |v: f64| (0.5..=65_535.0).contains(&v).then(|| v.round() as u16);
-    debug_assert!(per != Per::Metre);
     Some(PixelDensity { density: (whole(x)?, whole(y)?), unit })
 }

@@ -107,6 +107,9 @@ fn zone(text: &str) -> Option<(&str, Zone)> {
     let Some(at) = text.rfind(['+', '-']) else { return Some((text, Zone::Unsaid)) };
     let (time, behind) = text.split_at(at);
     let digits: String = behind[1..].chars().filter(|c| *c != ':').collect();
+    if !digits.is_ascii() {
+        return None;
+    }
     let (hours, minutes) = match digits.len() {
         2 => (number(&digits)?, 0),
         4 => (number(&digits[..2])?, number(&digits[2..])?),
@@ -184,6 +187,7 @@ mod tests {
             "2026-01-31T",
             "2026-01-31T12",
             "2026-01-31T12:00:00+1",
+            "2026-01-31T12:00:00+1é2",
             "äöüäöü",
         ] {
             assert_eq!(seconds(text), None, "{text}");

@@ -105,7 +105,7 @@ impl FromStr for Decimal {
         }
         let significant = letters().skip_while(|b| *b == b'0').count();
         let exponent = i32::try_from(fraction.len()).ok().and_then(|f| power.checked_sub(f)).ok_or(NoDecimal)?;
-        if significant > MOST_DIGITS as usize || exponent.abs() > MOST_EXPONENT {
+        if significant > MOST_DIGITS as usize || !(-MOST_EXPONENT..=MOST_EXPONENT).contains(&exponent) {
             return Err(NoDecimal);
         }
         let digits = letters().fold(0i128, |sum, b| 10 * sum + i128::from(b - b'0'));
@@ -149,6 +149,7 @@ mod tests {
         for text in ["", "-", ".", "1.2.3", "1e", "1e1.5", "0x10", "nan", "inf", "1_0", " 1", "1e999", "--1"] {
             assert_eq!(text.parse::<Decimal>(), Err(NoDecimal), "{text}");
         }
+        assert_eq!(format!("1e{}", i32::MIN).parse::<Decimal>(), Err(NoDecimal));
         assert_eq!("9".repeat(37).parse::<Decimal>(), Err(NoDecimal));
     }
 

@@ -240,11 +240,11 @@ impl<'a> Rows<'a> {
             return Err(refused(format!(": {} {plural}, but {expected} in the first line", cells.len())));
         }
         let pointed = |i: usize| self.dialect.pointed(&cells[i]);
-        let mut missing = None;
+        let mut missing = false;
         let mut trouble = |i: usize, trouble: Trouble, wanted: &str| -> Result<()> {
             let said = match trouble {
                 Trouble::Missing(_) if skip_missing => {
-                    missing = Some(());
+                    missing = true;
                     return Ok(());
                 }
                 Trouble::Missing(what) => format!("the cell {what} (--skip-missing leaves such rows out)"),
@@ -267,7 +267,7 @@ impl<'a> Rows<'a> {
                 Err(what) => trouble(i, what, "number, and no date such as 2026-01-31T12:00:00.25Z")?,
             }
         }
-        if missing.is_some() {
+        if missing {
             let first_line = if self.skipped.rows == 0 { number } else { self.skipped.first_line };
             self.skipped = Skipped { rows: self.skipped.rows + 1, first_line };
             return Ok(());

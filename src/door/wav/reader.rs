@@ -10,6 +10,7 @@ use std::io::{self, ErrorKind, Read};
 const OPEN_LENGTH: u64 = 0x7fff_f000;
 /// Bytes that are read at a time.
 const ROOM: usize = 1 << 16;
+
 /// A WAV file that is being read, from any source of bytes.
 ///
 /// ```

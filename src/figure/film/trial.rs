@@ -1,17 +1,15 @@
 //! The scene that filters are tried on, and what they did to it, measured in its pictures.
 
-use crate::antialias::supersample::pixel_seed;
 use crate::error::Result;
 use crate::field::Field;
 use crate::field::bricks::BrickWall;
 use crate::field::glyphs::Glyphs;
 use crate::field::zone_plate::ZonePlate;
+use crate::figure::film::weights::samples;
 use crate::film::{Film, Sample};
 use crate::grid::Grid;
 use crate::image::Image;
 use crate::kernel::Kernel;
-use crate::pattern::Pattern;
-use crate::pattern::jittered::Jittered;
 
 /// Pixels along a side.
 const SIDE: usize = 96;
@@ -65,14 +63,8 @@ impl Field for Scene {
 /// One set of samples for all filters, as far beyond the frame as the widest of them reaches.
 pub(super) fn one_set(n: usize, seed: u64) -> Result<Vec<Sample<1>>> {
     const REACH: i64 = 4;
-    let (scene, pattern) = (Scene::new()?, Jittered::new([n, n])?);
-    let side = -REACH..SIDE as i64 + REACH;
-    let pixels = side.clone().flat_map(|j| side.clone().map(move |i| (i, j)));
-    let of = |(i, j): (i64, i64)| {
-        let points = pattern.points(pixel_seed(seed, i, j)).into_iter();
-        points.map(move |[u, v]| [i as f64 + u, j as f64 + v])
-    };
-    Ok(pixels.flat_map(of).map(|at| Sample { at, light: [scene.at(at[0], at[1])] }).collect())
+    let (scene, side) = (Scene::new()?, -REACH..SIDE as i64 + REACH);
+    samples(side.clone(), side, n, seed, |x, y| scene.at(x, y))
 }
 
 pub(super) fn developed(kernel: &dyn Kernel, samples: &[Sample<1>]) -> Result<Image> {

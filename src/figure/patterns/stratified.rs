@@ -82,9 +82,7 @@ fn stratified(params: &Params) -> Result<Figure> {
         let points = pattern.points(pattern_seed(seed, 0));
         let counts = occupancy(&points, cells)?;
         let panel = boxes_panel(name, title.clone(), [SIDE, SIDE], &points);
-        let panel = if counts.contains(&0) { panel.with(crosses(&counts)) } else { panel };
-        // one scale for all three
-        figure = figure.with(if *name == "jittered-power" { panel.bar(Bar::values(Text::EMPTY)) } else { panel });
+        figure = figure.with(if counts.contains(&0) { panel.with(crosses(&counts)) } else { panel });
     }
     for (_, name, _, title, pattern) in &kinds {
         let patterns = if *name == "grid-power" { 1 } else { PATTERNS };

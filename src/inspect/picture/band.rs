@@ -108,9 +108,10 @@ impl Fall {
         [least, above.map_or(0.0, |l| l[0])]
     }
 
-    /// Where the spectrum falls off a cliff, best of [typical](Self::typical) levels: the lowest frequency around which its level sinks by at least 15 dB within a
-    /// factor of 1.5 and does not rise again by more than 6 dB. That is what enlarging leaves behind, and sharp scenes do not:
-    /// theirs fall as `1/ν²` (Field 1987), 3.5 dB in that stretch, and blur by a lens falls steadily.
+    /// Where the spectrum falls off a cliff, best of [typical](Self::typical) levels: the lowest frequency around which its
+    /// level sinks by at least 15 dB within a factor of 1.5 and does not rise again by more than 6 dB. That is what enlarging
+    /// leaves behind, and sharp scenes do not: theirs fall as `1/ν²` (Field 1987), 3.5 dB in that stretch, and blur by a lens
+    /// falls steadily.
     pub fn cliff(&self) -> Option<f64> {
         if self.levels.len() < PIECES / 4 {
             return None; // a picture of so few pixels has no shape of a spectrum

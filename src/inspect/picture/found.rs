@@ -11,8 +11,10 @@ use crate::image::resize::{nearest, over, resample};
 use crate::inspect::picture::patch::Patch;
 use crate::inspect::picture::sampler::Moire;
 use crate::inspect::picture::wave::{DARKEST, Wave};
+use crate::inspect::picture::waves::EVEN;
 use crate::kernel::catalog::by_name;
 use crate::num::{cos_pi, sin_pi};
+use num_complex::Complex;
 
 /// The picture shrunk in the way of that name: `none`, or a kernel's.
 ///
@@ -33,6 +35,8 @@ pub struct Found {
     pub contrast: f64,
     /// That of the grating alone, had it the same amplitude everywhere: shrunk in the same way, seen through the same window.
     pub alone: f64,
+    /// Whether both ratios of the sizes are whole: then all images of the grating are one.
+    pub whole: bool,
 }
 
 /// Why a contrast that was found is not the predicted one.
@@ -47,27 +51,30 @@ pub enum Cause {
 }
 
 impl Found {
-    /// Why it is not what was predicted, if it is off by more than `least` and more than the window explains.
+    /// Why it is not what was predicted, if it is off by more than `least`.
     ///
-    /// A grating counts as one where its amplitude is even to a fifth ([`waves`](crate::inspect::picture::waves::waves)):
-    /// what differs by more from the grating alone is not of the grating. Of its own images a tenth is worth a word: that
-    /// is one digit of those that are printed.
+    /// A grating counts as one where its amplitude is even to a fifth ([`waves`](crate::inspect::picture::waves::waves)): in
+    /// the part that is looked at it may differ by as much from the grating alone, which is even; what differs by more is not
+    /// of the grating. Between the grating alone and what was predicted nothing but images stand, and where the ratio of the
+    /// sizes is whole they are one.
     ///
     /// ```
     /// use nyquist::inspect::picture::found::{Cause, Found};
-    /// let cause = |contrast, alone| Found { contrast, alone }.cause(0.010, 0.001);
+    /// let cause = |contrast, alone| Found { contrast, alone, whole: false }.cause(0.010, 0.001);
     /// assert_eq!(cause(0.031, 0.010), Some(Cause::Added));
     /// assert_eq!(cause(0.004, 0.010), Some(Cause::Taken));
     /// assert_eq!(cause(0.008, 0.008), Some(Cause::Images));
     /// assert_eq!(cause(0.0105, 0.010), None);
+    /// assert_eq!(Found { contrast: 0.008, alone: 0.008, whole: true }.cause(0.010, 0.001), None);
     /// ```
     pub fn cause(&self, predicted: f64, least: f64) -> Option<Cause> {
-        let Self { contrast, alone } = *self;
-        if (contrast - alone).abs() > least && contrast > 1.25 * alone {
+        let Self { contrast, alone, whole } = *self;
+        let differs = (contrast - alone).abs() > least;
+        if differs && EVEN * contrast > alone {
             Some(Cause::Added)
-        } else if (contrast - alone).abs() > least && contrast < 0.8 * alone {
+        } else if differs && contrast < EVEN * alone {
             Some(Cause::Taken)
-        } else if (alone - predicted).abs() > least.max(0.1 * predicted) {
+        } else if !whole && (alone - predicted).abs() > least {
             Some(Cause::Images)
         } else {
             None
@@ -117,7 +124,9 @@ pub fn found(image: &Image, wave: &Wave, moire: &Moire, size: [usize; 2], way: &
     };
     let part = image.part([across.first, down.first], [across.length, down.length])?;
     let (corner, size) = ([across.inner[0], down.inner[0]], [across.inner[1], down.inner[1]]);
-    let phasor = Patch::of(image, corner, size).phasor(wave.frequency);
+    // of the wave's own amplitude: between it and what was predicted stand images alone
+    let phase = Patch::of(image, corner, size).phasor(wave.frequency).arg();
+    let phasor = Complex::from_polar(wave.amplitude, phase);
     // from the middle of the pixels, as the phase is
     let middle = [0, 1].map(|i| corner[i] as f64 + 0.5 * size[i] as f64);
     let [u, v] = wave.frequency;
@@ -126,7 +135,8 @@ pub fn found(image: &Image, wave: &Wave, moire: &Moire, size: [usize; 2], way: &
         phasor.re * cos_pi(cycles) - phasor.im * sin_pi(cycles)
     };
     let alone = Image::of(&from_fn(grating), part.grid());
-    Ok(Some(Found { contrast: contrast(&part)?, alone: contrast(&alone)? }))
+    let whole = image.width().is_multiple_of(new.width()) && image.height().is_multiple_of(new.height());
+    Ok(Some(Found { contrast: contrast(&part)?, alone: contrast(&alone)?, whole }))
 }
 
 /// What is looked at along one axis: old pixels with a margin, and the new ones inside.

@@ -6,6 +6,7 @@ use crate::grid::Grid;
 use crate::image::Image;
 use crate::image::dft::forward;
 use crate::image::periodic::periodic_forward;
+use crate::num::mean::mean;
 use crate::sampled::window::Window;
 use ndarray::Array2;
 use std::str::FromStr;
@@ -97,10 +98,10 @@ impl PowerSpectrum {
     }
 
     fn averaged(image: &Image, border: Border, side: usize) -> Self {
-        let (values, n) = (image.values(), image.values().len() as f64);
-        // from one of the values on, so that an even picture deviates by nothing
-        let mean = values[0] + values.iter().map(|v| v - values[0]).sum::<f64>() / n;
-        let deviation = (values.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / n).sqrt();
+        let values = image.values();
+        // exact for constants, so that an even picture deviates by nothing
+        let mean = mean(values);
+        let deviation = (values.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / values.len() as f64).sqrt();
         let (w, h) = (image.width().min(side), image.height().min(side));
         let axis =
             |n: usize| Axis::new(0.5, 1.0, n).expect("as many pixels as there are are an axis").in_unit(Unit::PIXEL);

@@ -42,6 +42,11 @@ impl Tolerance {
         10f64.powf(-self.0 / 20.0)
     }
 
+    /// The contrast that is worth a word: a tenth of the highest.
+    pub fn noticeable(self) -> f64 {
+        0.1 * self.contrast()
+    }
+
     /// The lowest ratio of what is kept to what folds, in dB.
     pub fn ratio(self) -> f64 {
         self.0 - Self::MASKED

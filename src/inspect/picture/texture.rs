@@ -2,7 +2,7 @@
 
 use crate::inspect::picture::angle;
 use crate::inspect::picture::power::PowerSpectrum;
-use crate::inspect::picture::wave::{Wave, upward};
+use crate::inspect::picture::wave::{DARKEST, Wave, upward};
 
 /// A region of the plane of frequencies, and what a picture has there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,7 +60,7 @@ pub fn textures(spectrum: &PowerSpectrum, limit: [f64; 2], waves: &[Wave], most:
             sums[cell(upward([u + i * WIDTH, v + j * WIDTH]))][0] = 0.0;
         }
     }
-    let mean = spectrum.mean().abs().max(crate::inspect::picture::wave::DARKEST);
+    let mean = spectrum.mean().abs().max(DARKEST);
     let mut found: Vec<Texture> = sums
         .into_iter()
         .filter(|sum| sum[0] > 0.0)

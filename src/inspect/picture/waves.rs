@@ -17,6 +17,9 @@ pub struct Waves {
 /// How many are told apart.
 pub const MOST: usize = 8;
 
+/// What a grating has of its amplitude in every part of it, at least: it counts as one as long as it is even to a fifth.
+pub(super) const EVEN: f64 = 0.8;
+
 /// The gratings of a picture beyond `limit = [U, V]`, `|u| > U` or `|v| > V` in cycles a pixel, of at least a contrast.
 ///
 /// The picture is looked at in square patches that overlap by half, as wide as 16 pixels of the new raster, but at least 64
@@ -114,7 +117,7 @@ fn grown(image: &Image, first: Wave) -> Wave {
         let middle = first.middle();
         let corner = [0, 1].map(|i| ((middle[i] - 0.5 * size[i] as f64).max(0.0) as usize).min(whole[i] - size[i]));
         let wider = Wave::near(image, best.frequency, corner, size);
-        if wider.amplitude < 0.8 * first.amplitude {
+        if wider.amplitude < EVEN * first.amplitude {
             return best;
         }
         best = wider;

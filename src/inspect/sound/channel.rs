@@ -10,9 +10,11 @@ use crate::sampled::welch::PowerSpectrum;
 
 /// The part of the spectrum below the Nyquist frequency that says how much may lie beyond.
 const EDGE: f64 = 1.0 / 16.0;
-/// The part of the power above the end of a spectrum that is not passed over.
+/// The part of the power above the end of a spectrum that is not passed over: that of aliases at the
+/// [tolerance](super::TOLERANCE) where none is given, 60 dB.
 const MISSED: f64 = 1e-6;
-/// The part of the power below which no spectrum is said to end, unless the rest is its noise.
+/// The part of the power below which no spectrum is said to end, unless the rest is its noise: that of the last of the bands
+/// that are reported, so that no end stands below a band.
 const NEARLY_ALL: f64 = 0.9999;
 
 /// What a [`Meter`](super::Meter) has heard of one channel.
@@ -46,8 +48,8 @@ impl Channel {
         self.levels.constant()
     }
 
-    /// Its averaged spectrum, without its mean: Welch's, in which the first and the last quarter of a segment count less.
-    /// Lines are exact in it.
+    /// Its averaged spectrum, without its mean: Welch's, in which what lies within a third of a segment from either end of the
+    /// sound counts less than 5 %, and all that lies farther inside than six tenths of one fully. Lines are exact in it.
     pub fn spectrum(&self) -> &PowerSpectrum {
         &self.spectrum
     }
@@ -108,12 +110,18 @@ impl Channel {
         lowest(&self.spectrum)
     }
 
+    /// The last sixteenth of the spectrum below the Nyquist frequency: from where to where, in Hz.
+    pub fn edge(&self) -> [f64; 2] {
+        let nyquist = 0.5 * self.spectrum.rate();
+        [(1.0 - EDGE) * nyquist, nyquist]
+    }
+
     /// The mean square of the last sixteenth of the spectrum below the Nyquist frequency. What lay as near beyond it when
     /// the sound was sampled was about as strong, and has folded, as far as no filter took it away: so it says how
     /// much of the sound may be aliases.
     pub fn edge_power(&self) -> f64 {
-        let nyquist = 0.5 * self.spectrum.rate();
-        self.power_within((1.0 - EDGE) * nyquist, nyquist)
+        let [from, to] = self.edge();
+        self.power_within(from, to)
     }
 
     /// Whether the last sixteenth holds no more than rounding to multiples of `step` leaves there, `step²/12` over all
@@ -133,8 +141,8 @@ impl Channel {
         self.levels.power / self.whole.total()
     }
 
-    /// The loudest moment of what lies beyond a frequency, in stretches of an eighth of a segment; `None` where there is
-    /// nothing.
+    /// The loudest moment of what lies beyond a frequency, in stretches of an eighth of a segment, at least 64 samples;
+    /// `None` where there is nothing.
     pub fn loudest_beyond(&self, frequency: f64) -> Option<Moment> {
         self.moments.beyond(frequency).filter(|_| !self.silent())
     }

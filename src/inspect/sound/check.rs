@@ -68,11 +68,11 @@ impl Check {
             match forecasts.get(i) {
                 _ if channel.silent() => f64::INFINITY,
                 Some(forecast) => forecast.outcomes[0].ratio(),
-                None => dbfs(channel.levels().power) - dbfs(channel.edge_power()),
+                None => above_edge(channel),
             }
         };
-        let ratios: Vec<f64> = (0..sound.channels().len()).map(ratio).collect();
-        let (worst, ratio) = least(ratios.iter().copied().enumerate()).unwrap_or((0, f64::INFINITY));
+        let ratios = (0..sound.channels().len()).map(|i| (i, ratio(i)));
+        let (worst, ratio) = least(ratios).unwrap_or((0, f64::INFINITY));
         Ok(Self { sound, rate, tolerance, forecasts, worst, ratio, rounding: false })
     }
 
@@ -95,10 +95,9 @@ impl Check {
         if self.rate.is_some() {
             return self;
         }
-        let of = |channel: &Channel| dbfs(channel.levels().power) - dbfs(channel.edge_power());
         let sounding = |channel: &Channel| !channel.silent() && !channel.edge_is_rounding(step);
         let others = self.sound.channels().iter().enumerate().filter(|(_, channel)| sounding(channel));
-        match least(others.map(|(i, channel)| (i, of(channel)))) {
+        match least(others.map(|(i, channel)| (i, above_edge(channel)))) {
             Some((worst, ratio)) => (self.worst, self.ratio) = (worst, ratio),
             None => self.rounding = true,
         }
@@ -145,13 +144,20 @@ impl Check {
         self.rounding || self.ratio >= self.tolerance
     }
 
-    /// How much louder than the tolerance allows the aliases get at their loudest moment, as a level in dBFS against the
-    /// mean power of the sound below the new Nyquist frequency; only where that exceeds the tolerance though the mean of
-    /// all does not. A burst in a long sound is drowned in the mean and heard nevertheless.
+    /// How many dB the aliases of a channel are, at their loudest moment, below the mean power of its signal, in the channel
+    /// where that is least; only where it is less than the tolerance though no ratio of means is. A burst in a long sound is
+    /// drowned in the mean and heard nevertheless.
     pub fn burst(&self) -> Option<f64> {
-        let forecast = self.forecasts.get(self.worst)?;
-        let ratio = dbfs(forecast.outcomes[0].signal) - dbfs(forecast.loudest?.beyond);
-        (self.fine() && ratio < self.tolerance).then_some(ratio)
+        self.burst_in().map(|(_, ratio)| ratio)
+    }
+
+    /// The same behind its channel, counted from zero.
+    pub fn burst_in(&self) -> Option<(usize, f64)> {
+        let ratio = |forecast: &Forecast| {
+            forecast.loudest.map(|loudest| dbfs(forecast.outcomes[0].signal) - dbfs(loudest.beyond))
+        };
+        let ratios = self.forecasts.iter().enumerate().filter_map(|(i, forecast)| Some((i, ratio(forecast)?)));
+        least(ratios).filter(|(_, ratio)| self.fine() && *ratio < self.tolerance)
     }
 
     /// How the spectrum of the sound ends: that of the channel that goes up the farthest. `None` of silence.
@@ -166,6 +172,11 @@ impl Check {
         let keeps = |way: usize| self.forecasts.iter().all(|f| f.outcomes[way].ratio() >= self.tolerance);
         (1..Way::ALL.len()).find(|way| keeps(*way)).map(|way| Way::ALL[way])
     }
+}
+
+/// The ratio at its own rate, in dB: of all to the last sixteenth.
+fn above_edge(channel: &Channel) -> f64 {
+    dbfs(channel.levels().power) - dbfs(channel.edge_power())
 }
 
 /// The channel whose ratio is the least, the first of several.

@@ -2,7 +2,7 @@
 
 use crate::engine::fft::{Butterflies, RealFft};
 use crate::inspect::sound::window::{BETA, lobe, width};
-use crate::sampled::segments::weighted_mean;
+use crate::num::mean::weighted_mean;
 use crate::sampled::welch::PowerSpectrum;
 use crate::sampled::window::Window;
 use num_complex::Complex;
@@ -11,7 +11,8 @@ use num_complex::Complex;
 const PART: usize = 8;
 /// The shortest window that tells frequencies apart at all.
 const LEAST: usize = 32;
-/// What is not worth another window.
+/// What is not worth another window: less than a millionth of what sounds there, where the windows before add up to one but
+/// for 0.3 % (0.013 dB) anyway.
 const COVERED: f64 = 1e-6;
 
 const LENGTH: &str = "rooms are as long as their window";

@@ -3,7 +3,8 @@
 use crate::inspect::sound::window::reach;
 use crate::sampled::welch::PowerSpectrum;
 
-/// What the window may leave beside a line, as a part of the line's power in one bin: 190 dB.
+/// What the window may leave beside a line, as a part of the line's power in one bin: 190 dB,
+/// about the mean of the first side lobe, whose top is 188 dB down.
 const LEAKAGE: f64 = 1e-19;
 /// Bands that the spectrum is cut into at most, and bins in one at least.
 const MOST_BANDS: usize = 64;

@@ -83,7 +83,7 @@ pub struct Forecast {
     pub folded: Vec<Folded>,
     /// All that folds, in stretches that each land in one piece, rising.
     pub stretches: Vec<Stretch>,
-    /// The moment at which what folds is loudest.
+    /// The moment at which what folds is loudest, where it is louder then than in the mean.
     pub loudest: Option<Moment>,
     /// Of [`Quality::ALL`].
     responses: [Response; 3],
@@ -158,12 +158,14 @@ fn forecast(channel: &Channel, rate: f64, responses: &[Response; 3]) -> Result<F
         let gains = Way::ALL.map(|way| gain(way, line.frequency));
         Ok(Folded { line, alias: nyquist::Alias::of(line.frequency, rate)?, gains })
     });
+    let outcomes = Way::ALL.map(|way| outcome(channel, rate, way, |frequency| gain(way, frequency)));
+    let louder = |moment: &Moment| rate < channel.spectrum().rate() && moment.beyond > outcomes[0].aliases;
     Ok(Forecast {
         rate,
-        outcomes: Way::ALL.map(|way| outcome(channel, rate, way, |frequency| gain(way, frequency))),
+        outcomes,
         folded: folded.collect::<Result<_>>()?,
         stretches: stretches(channel, rate)?,
-        loudest: channel.loudest_beyond(nyquist).filter(|_| rate < channel.spectrum().rate()),
+        loudest: channel.loudest_beyond(nyquist).filter(louder),
         responses: *responses,
     })
 }
@@ -176,8 +178,9 @@ fn outcome(channel: &Channel, rate: f64, way: Way, gain: impl Fn(f64) -> f64) ->
     if channel.silent() {
         return Outcome { way, signal, aliases };
     }
+    let scale = channel.scale();
     for (k, density) in spectrum.density().iter().enumerate() {
-        let (frequency, power) = (spectrum.frequency(k), density * spectrum.step() * channel.scale());
+        let (frequency, power) = (spectrum.frequency(k), density * spectrum.step() * scale);
         let below = ((nyquist - frequency) / spectrum.step() + 0.5).clamp(0.0, 1.0);
         // at its own rate nothing lies beyond
         let below = if rate >= spectrum.rate() { 1.0 } else { below };

@@ -4,12 +4,13 @@ use crate::inspect::sound::floor::{ceiling, median};
 use crate::inspect::sound::window::{lobe, reach};
 use crate::sampled::welch::PowerSpectrum;
 
-/// How many times the median of its surroundings a line stands out at least: 10 dB.
+/// How many times the median of its surroundings a line stands out at least: 10 dB. Of so strong a line one segment knows the
+/// amplitude to a fifth, `1/√20`.
 const LEAST: f64 = 10.0;
 /// The lowest bin that a line can stand in: what drifts within a segment reads as a line in the second.
 const LOWEST: usize = 3;
 /// How many times all that is beside it a line stands out that has no room below it: 30 dB, more than noise rises towards
-/// zero across the width of a line.
+/// zero across the width of a line: from the twelfth bin to the third 24 dB where it rises by 12 dB an octave.
 const LEAST_LOW: f64 = 1000.0;
 
 /// A line of the spectrum: a tone, or what is as narrow as one.

@@ -6,7 +6,7 @@ use crate::inspect::sound::ends::Ends;
 use crate::inspect::sound::levels::Gauge;
 use crate::inspect::sound::moment::Moments;
 use crate::inspect::sound::window::BETA;
-use crate::sampled::segments::{Detrend, Segments};
+use crate::sampled::segments::{Detrend, Segments, whole_frames};
 use crate::sampled::welch::Welch;
 use crate::sampled::window::Window;
 
@@ -79,7 +79,7 @@ impl Meter {
     /// The longest segment for so many channels: a power of two.
     fn longest(&self) -> usize {
         let fits = MOST_VALUES / self.channels;
-        fits.clamp(LEAST_FRAMES, MOST_SEGMENT).next_power_of_two().min(MOST_SEGMENT)
+        1 << fits.clamp(LEAST_FRAMES, MOST_SEGMENT).ilog2()
     }
 
     /// Takes whole frames, one value for each channel in turn.
@@ -87,13 +87,7 @@ impl Meter {
     /// # Errors
     /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`]; nothing has been taken then.
     pub fn push(&mut self, frames: &[f64]) -> Result<()> {
-        if !frames.len().is_multiple_of(self.channels) {
-            let expected = frames.len().next_multiple_of(self.channels);
-            return Err(Error::Length { what: "the values of whole frames", expected, got: frames.len() });
-        }
-        if let Some(index) = frames.iter().position(|v| !v.is_finite()) {
-            return Err(Error::NotFiniteAt { what: "samples", index, value: frames[index] });
-        }
+        whole_frames(frames, self.channels)?;
         if self.gauges.is_empty() {
             self.gauges = frames.iter().take(self.channels).map(|first| Gauge::new(*first)).collect();
         }

@@ -1,7 +1,7 @@
 //! The loudest moments of a sound beyond any frequency: a mean over all of it would drown a short burst.
 
 use crate::error::Result;
-use crate::inspect::sound::window::BETA;
+use crate::inspect::sound::window::{BETA, reach};
 use crate::sampled::segments::{Detrend, Periodograms, Segments};
 use crate::sampled::window::Window;
 
@@ -10,7 +10,8 @@ use crate::sampled::window::Window;
 pub struct Moment {
     /// Its middle, in seconds from the first frame.
     pub time: f64,
-    /// The mean square beyond the frequency asked for.
+    /// The mean square beyond the frequency asked for and the width of a line there, eight bins of the stretch: nearer, a
+    /// tone below that frequency could not be told from what is beyond.
     pub beyond: f64,
     /// The mean square of all.
     pub total: f64,
@@ -79,9 +80,9 @@ impl Lane {
         self.count += 1;
     }
 
-    /// The loudest moment beyond a frequency, to the bin above it; `None` where nothing is there.
+    /// The loudest moment beyond a frequency, from where no line below it reaches; `None` where nothing is there.
     pub(super) fn beyond(&self, frequency: f64) -> Option<Moment> {
-        let k = (frequency / self.step - 0.5).ceil().max(0.0) as usize;
+        let k = ((frequency / self.step).ceil().max(0.0) as usize).saturating_add(reach());
         self.best.get(k).copied().filter(|moment| moment.beyond > 0.0)
     }
 }

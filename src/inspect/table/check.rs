@@ -1,7 +1,7 @@
 //! A table, looked into.
 
-use crate::door::table::{Heading, Table};
-use crate::error::{Error, Result, positive};
+use crate::door::table::{Column, Heading, Table};
+use crate::error::{Error, Result, finite, positive};
 use crate::inspect::table::{Findings, Look, Prediction, inspect};
 use crate::record::Sampling;
 
@@ -54,18 +54,18 @@ impl TableCheck {
     /// ```
     ///
     /// # Errors
-    /// A table without columns of values, or without times where no `step` between rows, in seconds, is said; what [`Sampling::of`] and
-    /// [`inspect`] refuse; a rate that is not positive, a tolerance that is not finite.
+    /// A table without columns of values, or without times where no `step` between rows, in seconds, is said; what
+    /// [`Sampling::of`] and [`inspect`] refuse; a rate that is not positive, a tolerance that is not finite.
     pub fn new(table: Table, step: Option<f64>, look: Look, rate: Option<f64>, tolerance: f64) -> Result<Self> {
         if let Some(rate) = rate {
             positive("the new rate", rate)?;
         }
-        crate::error::finite("the tolerance", tolerance)?;
+        finite("the tolerance", tolerance)?;
         if table.columns.is_empty() {
             return Err(Error::Unsupported("there is one column, and no values beside the times"));
         }
         let sampling = Sampling::of_table(&table, step)?;
-        let check = |column: &crate::door::table::Column| {
+        let check = |column: &Column| {
             let values = sampling.values(&column.values)?;
             Ok(ColumnCheck {
                 heading: column.heading.clone(),

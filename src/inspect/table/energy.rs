@@ -3,9 +3,11 @@
 use crate::axis::Edge;
 use crate::error::Result;
 use crate::inspect::table::lines::Line;
+use crate::num::mean::mean;
 use crate::record::{Recoverable, Sampling};
 use crate::sampled::dft::dft;
 use crate::sampled::window::Window;
+use std::ops::Range;
 
 /// The mean square of a record, without its mean, over frequency: that of its lines where they stand, and that of the rest
 /// where a band-limited signal through it has it.
@@ -84,10 +86,10 @@ impl Energy {
 }
 
 /// Energies at the frequencies of a stretch, the unresolved one at infinity; and the band that was resolved.
-fn resolve(sampling: &Sampling, stretch: std::ops::Range<usize>, rest: &[f64]) -> Result<(Vec<[f64; 2]>, f64)> {
+fn resolve(sampling: &Sampling, stretch: Range<usize>, rest: &[f64]) -> Result<(Vec<[f64; 2]>, f64)> {
     let positions = &sampling.positions()[stretch.clone()];
     let n = stretch.len();
-    let mean = rest[stretch.clone()].iter().sum::<f64>() / n as f64;
+    let mean = mean(&rest[stretch.clone()]);
     let length = (positions[n - 1] - positions[0]) * n as f64 / (n - 1) as f64;
     let windowed = |i: usize| {
         let part = (positions[i] - positions[0]) / length;
@@ -100,8 +102,7 @@ fn resolve(sampling: &Sampling, stretch: std::ops::Range<usize>, rest: &[f64]) -
         let bin = |k: usize| [k as f64 / axis.span(), once(k) * half[k].norm_sqr()];
         return Ok(((0..=n / 2).map(bin).collect(), axis.nyquist()));
     }
-    let nodes = sampling.nodes().get(stretch).filter(|nodes| !nodes.is_empty() && sampling.jitter().most == 0.0);
-    let recoverable = Recoverable::new(positions, nodes, Edge::Wrap, None, f64::INFINITY)?;
+    let recoverable = Recoverable::new(positions, sampling.nodes_of(stretch), Edge::Wrap, None, f64::INFINITY)?;
     let (dense, misfit) = recoverable.fit_period(&values)?;
     let polynomial = dense.polynomial();
     let once = |k: usize| if k == 0 { 1.0 } else { 2.0 };

@@ -24,11 +24,6 @@ impl Line {
     pub fn energy(&self) -> f64 {
         0.5 * self.amplitude * self.amplitude
     }
-
-    /// The value at `t` after the first position.
-    pub fn at(&self, t: f64) -> f64 {
-        self.amplitude * (2.0 * std::f64::consts::PI * (self.frequency * t).rem_euclid(1.0) + self.phase).cos()
-    }
 }
 
 /// Frequencies to either side of one over which the floor is taken.

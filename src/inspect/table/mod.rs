@@ -40,7 +40,7 @@ pub struct Look {
     /// The window under which the spectrum is taken.
     pub window: Window,
     /// The highest frequency looked at. None: half the rate of the grid or of the mean step; where there is no step, the
-    /// density; or as far as 2³⁴ products go.
+    /// density, but no more than 2²³ − 1 frequencies.
     pub up_to: Option<f64>,
     /// How many lines are looked for.
     pub most_lines: usize,
@@ -94,8 +94,9 @@ pub struct Findings {
 /// ```
 ///
 /// # Errors
-/// Fewer than eight positions, also of the longest stretch where that is looked at; values of another number, not finite, or beyond 10¹⁴⁰; a highest frequency that is not positive, leaves
-/// no frequency, or would take more than 2³⁴ products.
+/// Fewer than eight positions, also of the longest stretch where that is looked at; values of another number, not finite, or
+/// beyond 10¹⁴⁰; a highest frequency that is not positive, leaves no frequency, or would take more than 2²³ − 1 of them
+/// (on a grid, more than its nodes as well).
 pub fn inspect(sampling: &Sampling, values: &[f64], look: Look) -> Result<Findings> {
     let n = sampling.positions().len();
     if n < FEWEST {

@@ -36,8 +36,9 @@ pub struct LeastSquaresSpectrum {
 }
 
 impl LeastSquaresSpectrum {
-    /// Of values at the positions of a record ([its main stretch](Sampling::main_stretch)), under a window over it, up to a frequency or, if none is said, to half the
-    /// rate of the grid or of the mean step; where there is no step, to the density.
+    /// Of values at the positions of a record ([its main stretch](Sampling::main_stretch)), under a window over it, up to a
+    /// frequency or, if none is said, to half the rate of the grid or of the mean step; where there is no step, to the
+    /// density.
     ///
     /// # Errors
     /// Values of another number than positions, or not finite; a frequency that is not positive or below `1/L`; sums that

@@ -66,7 +66,8 @@ impl std::fmt::Debug for Question<'_> {
 /// ```
 ///
 /// # Errors
-/// A size of zero, or of more pixels than a grid can have; a filter of infinite radius.
+/// A size of zero, or of more pixels than a grid can have; a filter of infinite radius, or of a name that
+/// [`by_name`](crate::kernel::catalog::by_name) does not know.
 pub fn check(name: &str, image: &Image, question: Question<'_>) -> Result<Checked> {
     let spectrum = PowerSpectrum::welch(image);
     let Question { size, tolerance, filter, file } = question;
@@ -90,9 +91,10 @@ pub fn check(name: &str, image: &Image, question: Question<'_>) -> Result<Checke
     Ok(checked)
 }
 
-/// A name as a shell reads it: in quotes where it has more than letters, digits and what paths are made of.
+/// A name as a shell reads it: in quotes where it has more than letters, digits and what paths are made of. A backslash parts
+/// folders on Windows only; elsewhere a shell would swallow it.
 fn quoted(name: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "-_./\\:+,@%".contains(c);
+    let plain = |c: char| c.is_alphanumeric() || "-_./:+,@%".contains(c) || cfg!(windows) && c == '\\';
     if name.chars().all(plain) { name.to_owned() } else { format!("'{}'", name.replace('\'', r"'\''")) }
 }
 

@@ -150,7 +150,7 @@ fn period(moire: &Moire) -> Text {
 fn seen(found: Option<Found>, predicted: f64, tolerance: Tolerance) -> Text {
     let Some(found) = found else { return Text::same("–") };
     let contrast = percent(found.contrast);
-    match found.cause(predicted, least(tolerance)) {
+    match found.cause(predicted, tolerance.noticeable()) {
         None => contrast,
         Some(Cause::Added) => {
             contrast.and(&text!(", more: texture lands there as well", ", больше: туда же попадает текстура"))
@@ -158,11 +158,6 @@ fn seen(found: Option<Found>, predicted: f64, tolerance: Tolerance) -> Text {
         Some(Cause::Taken) => contrast.and(&text!(", less: texture takes from it", ", меньше: часть гасит текстура")),
         Some(Cause::Images) => contrast.and(&text!(", ratio not whole", ", отношение не целое")),
     }
-}
-
-/// What is worth a word beside a tolerance.
-pub(super) fn least(tolerance: Tolerance) -> f64 {
-    0.1 * tolerance.contrast()
 }
 
 fn gratings(checked: &Checked, shrinking: &Shrinking) -> Section {
@@ -233,7 +228,8 @@ fn gratings(checked: &Checked, shrinking: &Shrinking) -> Section {
          (макс − мин)/(макс + мин): предсказанный и найденный после уменьшения того, что слишком мелко."
     ));
     let every = checked.found.iter().zip(plain.moires.iter().enumerate()).flat_map(|(found, (i, moire))| {
-        let cause = |found: Option<Found>, moire: &Moire| found?.cause(moire.contrast, least(shrinking.tolerance));
+        let cause =
+            |found: Option<Found>, moire: &Moire| found?.cause(moire.contrast, shrinking.tolerance.noticeable());
         [cause(found[0], moire), filtered.and_then(|way| cause(found[1], &way.moires[i]))]
     });
     let causes: Vec<Cause> = every.flatten().collect();
@@ -259,7 +255,7 @@ fn gratings(checked: &Checked, shrinking: &Shrinking) -> Section {
 }
 
 fn textures(section: Section, shrinking: &Shrinking) -> Section {
-    let seen = shrinking.textures.iter().filter(|texture| texture.contrast > least(shrinking.tolerance));
+    let seen = shrinking.textures.iter().filter(|texture| texture.contrast > shrinking.tolerance.noticeable());
     seen.fold(section, |section, texture| {
         let (rms, [u, v]) = (percent(texture.contrast), texture.frequency);
         let (en, ru) = (rms.get(Lang::En), rms.get(Lang::Ru));

@@ -1,6 +1,7 @@
 //! What would alias, where to, and what to do.
 
 use super::file::{lines, strongest_of};
+use super::picture::numbered;
 use super::{Subject, decibels, exactly, hertz, number};
 use crate::figure::report::Section;
 use crate::inspect::sound::{Forecast, Stretch, Way, dbfs};
@@ -25,7 +26,7 @@ pub(super) fn sections(subject: &Subject) -> Vec<Section> {
             if forecast.outcomes[0].aliases > 0.0 {
                 sections.extend([folded(forecast), stretches(forecast)]);
             }
-            sections.push(advice(subject, rate, forecast));
+            sections.push(advice(subject, rate));
             sections
         }
         (Some(rate), _) => vec![higher(subject, rate)],
@@ -43,7 +44,7 @@ fn of_channel(subject: &Subject) -> Option<Text> {
         ),
         None => text!(
             "Channel {worst} of {all}, whose last sixteenth is the fewest dB below the whole.",
-            "Канал {worst} из {all}: у него последняя шестнадцатая слабее целого на наименьшее число дБ."
+            "Канал {worst} из {all}: у него последняя шестнадцатая спектра меньше всего уступает целому."
         ),
     })
 }
@@ -157,16 +158,17 @@ fn stretches(forecast: &Forecast) -> Section {
     strongest_of(section, forecast.stretches.len(), MOST_STRETCHES)
 }
 
-fn advice(subject: &Subject, rate: f64, forecast: &Forecast) -> Section {
+fn advice(subject: &Subject, rate: f64) -> Section {
     let (check, name) = (subject.check, subject.name);
     let tolerance = check.tolerance();
     let mut section = Section::new(text!("What to do", "Что делать"));
-    if let Some(ratio) = check.burst() {
+    if let Some((channel, ratio)) = check.burst_in() {
+        let [en, ru] = numbered(subject, channel);
         section = section.say(text!(
-            "The mean is within the tolerance, but not every moment: at {:.2} s the aliases come up to {} dB below the mean \
+            "The mean is within the tolerance, but not every moment: at {:.2} s{en} the aliases come up to {} dB below the mean \
              of the signal.",
-            "Среднее в пределах допуска, но не каждое мгновение: на {:.2} с алиасы всего на {} дБ ниже среднего сигнала.",
-            forecast.loudest.map_or(0.0, |loudest| loudest.time),
+            "Среднее в пределах допуска, но не каждое мгновение: на {:.2} с{ru} алиасы всего на {} дБ ниже среднего сигнала.",
+            check.forecasts()[channel].loudest.map_or(0.0, |loudest| loudest.time),
             decibels(ratio)
         ));
     }
@@ -221,7 +223,7 @@ fn own(subject: &Subject) -> Section {
     let check = subject.check;
     let sound = check.sound();
     let channel = &sound.channels()[check.worst()];
-    let (nyquist, tolerance) = (0.5 * sound.rate(), check.tolerance());
+    let ([from, nyquist], tolerance) = (channel.edge(), check.tolerance());
     let mut section = Section::new(text!("Sampled well enough?", "Достаточна ли частота дискретизации?"));
     if let Some(of) = of_channel(subject) {
         section = section.say(of);
@@ -229,7 +231,7 @@ fn own(subject: &Subject) -> Section {
     section = section.say(text!(
         "From {} to {} Hz, the last sixteenth below the Nyquist frequency, there is {} dBFS, {} dB below all ({} dBFS).",
         "От {} до {} Гц, в последней шестнадцатой до частоты Найквиста, — {} dBFS, на {} дБ ниже всего вместе ({} dBFS).",
-        hertz(0.9375 * nyquist),
+        hertz(from),
         hertz(nyquist),
         decibels(dbfs(channel.edge_power())),
         decibels(check.ratio()),

@@ -65,7 +65,7 @@ fn row(i: usize, channel: &Channel, nyquist: f64) -> Vec<Text> {
     let levels = channel.levels();
     let mean = if levels.mean == 0.0 { "0".into() } else { format!("{:.2e}", levels.mean) };
     let mut row = vec![
-        Text::of((i + 1).to_string(), (i + 1).to_string()),
+        number((i + 1).to_string()),
         number(decibels(20.0 * levels.peak().log10())),
         number(decibels(dbfs(levels.power))),
         number(mean),

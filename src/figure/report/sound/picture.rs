@@ -28,13 +28,13 @@ pub(super) fn portrait(subject: &Subject, title: Text) -> Portrait {
     }
 }
 
-/// What is shown, where there are several channels, after a title: in English and in Russian.
-fn of_channel(subject: &Subject) -> [String; 2] {
-    let (all, shown) = (subject.check.sound().channels().len(), subject.check.worst() + 1);
+/// Which channel is meant, counted from zero, where there are several: to be said after a title, in English and in Russian.
+pub(super) fn numbered(subject: &Subject, channel: usize) -> [String; 2] {
+    let (all, number) = (subject.check.sound().channels().len(), channel + 1);
     if all == 1 {
         return [String::new(), String::new()];
     }
-    [format!(" (channel {shown} of {all})"), format!(" (канал {shown} из {all})")]
+    [format!(" (channel {number} of {all})"), format!(" (канал {number} из {all})")]
 }
 
 /// The levels of a picture: its top and its bottom.
@@ -113,7 +113,7 @@ fn folding(subject: &Subject, channel: &Channel, forecast: &Forecast, title: Tex
             (place, text!("{} → {}", "{} → {}", hertz(from[0]), hertz(to[0])))
         })
         .collect();
-    let [en, ru] = of_channel(subject);
+    let [en, ru] = numbered(subject, subject.check.worst());
     let limit = hertz(nyquist);
     let before = Panel::new(
         "before",
@@ -227,7 +227,7 @@ fn alone(subject: &Subject, channel: &Channel, title: Text) -> Portrait {
     let spectrum = channel.whole();
     let (low, top) = levels(spectrum);
     let own = 0.5 * spectrum.rate();
-    let [en, ru] = of_channel(subject);
+    let [en, ru] = numbered(subject, subject.check.worst());
     let name = text!("spectrum{en}", "спектр{ru}");
     let mut panel =
         Panel::new("spectrum", name, frequencies(own), decibel_scale(spectrum, low, top)).legend(Legend::UpperRight);
@@ -253,7 +253,7 @@ fn alone(subject: &Subject, channel: &Channel, title: Text) -> Portrait {
             )
             .with(Layer::notes("band-names", Meaning::Reconstructed, notes.collect::<Vec<_>>()));
     }
-    let sixteenth = Layer::spans("edge", Meaning::Leaked, [[0.9375 * own, own]]);
+    let sixteenth = Layer::spans("edge", Meaning::Leaked, [channel.edge()]);
     let figure =
         Figure::new(1).with(panel.with(sixteenth.label(text!(
             "last sixteenth before the Nyquist frequency",

@@ -93,12 +93,15 @@ pub fn spectra(name: &str, spectra: &[PowerSpectrum], quantity: Quantity, log: b
         panel = panel.with(layer.label(label));
     }
     let segments = spectra.first().map_or(0, PowerSpectrum::segments);
+    let (kind, unit_ru) = match quantity {
+        Quantity::Amplitude => ("амплитуда", "dBFS"),
+        Quantity::Density => ("плотность мощности", "dBFS/Гц"),
+    };
     let caption = match spectra.first() {
         Some(first) => text!(
-            "{} of {name} in {unit}: {segments} segments of {} samples under the window {}, a bin every {} Hz, noise bandwidth \
-             {} Hz.",
-            "{name}, {}, {unit}: сегментов {segments}, по {} отсчётов, окно {}, шаг {} Гц, шумовая полоса {} Гц.",
-            quantity.name(),
+            "{quantity} of {name} in {unit}: {segments} segments of {} samples under the window {}, a bin every {} Hz, noise \
+             bandwidth {} Hz.",
+            "{name}, {kind}, {unit_ru}: сегментов {segments}, по {} отсчётов, окно {}, шаг {} Гц, шумовая полоса {} Гц.",
             first.cut().length(),
             first.cut().window(),
             hertz(first.step()),

@@ -37,7 +37,7 @@ pub(super) fn sentence(check: &TableCheck, found: &Findings) -> Text {
     } else {
         text!("{part} ({level} dB) is not resolved.", "{part} ({level} дБ) не разрешено.")
     };
-    super::joined(&start, " ", &what)
+    start.and(&Text::same(" ")).and(&what)
 }
 
 /// The same as a table, with the rates that they need.
@@ -75,7 +75,7 @@ pub(super) fn judgement(check: &TableCheck, found: &Findings) -> Option<Text> {
     if share <= QUIET {
         return Some(text!(
             "Its upper tenth, up to {at}, is empty ({level} dB): nothing points to a rate that was too low.",
-            "Верхняя десятая спектра, до {at}, пуста ({level} дБ): ничто не указывает на слишком низкую частоту."
+            "Верхняя десятая часть спектра, до {at}, пуста ({level} дБ): ничто не указывает на слишком низкую частоту."
         ));
     }
     // even would be a quarter of what the four tenths below hold
@@ -85,15 +85,15 @@ pub(super) fn judgement(check: &TableCheck, found: &Findings) -> Option<Text> {
         text!(
             "An even floor reaches up to {at} ({part} of the energy, {level} dB, in its upper tenth): noise. If the sensor \
              has less, it was folded in for want of a filter before sampling.",
-            "Ровный фон доходит до {at} (в верхней десятой {part} энергии, {level} дБ): шум. Если датчик шумит меньше, шум \
-             наложился из-за отсутствия фильтра перед дискретизацией."
+            "Ровный фон доходит до {at} (в верхней десятой части {part} энергии, {level} дБ): шум. Если датчик шумит \
+             меньше, шум наложился из-за отсутствия фильтра перед дискретизацией."
         )
     } else {
         text!(
             "The spectrum does not end below {at} ({part} of the energy, {level} dB, in its upper tenth): it may well have \
              gone on and folded. Sample faster, or filter before sampling, to be sure.",
-            "Спектр не кончается ниже {at} (в верхней десятой {part} энергии, {level} дБ): он вполне мог идти выше и \
-             наложиться. Чтобы исключить это, увеличьте частоту или фильтруйте до дискретизации."
+            "Спектр не кончается ниже {at} (в верхней десятой части {part} энергии, {level} дБ): он вполне мог идти выше \
+             и наложиться. Чтобы исключить это, увеличьте частоту или фильтруйте до дискретизации."
         )
     })
 }

@@ -77,7 +77,7 @@ fn title(check: &TableCheck, prediction: Option<&Prediction<'_>>) -> Text {
             )
         }
     };
-    joined(&start, "; ", &verdict)
+    start.and(&Text::same("; ")).and(&verdict)
 }
 
 fn caption(check: &TableCheck) -> Text {
@@ -92,7 +92,7 @@ fn caption(check: &TableCheck) -> Text {
     );
     let start = if check.sampling.axis().is_some() { regular } else { irregular };
     match check.rate {
-        None => joined(&start, ".", &Text::EMPTY),
+        None => start.and(&Text::same(".")),
         Some(_) => {
             let arrows = text!(
                 "Arrows lead from each line beyond half the new rate to where it would be seen; beside it the spectrum at \
@@ -100,18 +100,9 @@ fn caption(check: &TableCheck) -> Text {
                 "Стрелки ведут от каждой линии выше половины новой частоты туда, где она окажется; рядом спектр при новой \
                  частоте: то, что остаётся, и то, что наложилось."
             );
-            joined(&start, ". ", &arrows)
+            start.and(&Text::same(". ")).and(&arrows)
         }
     }
-}
-
-/// Two texts with something between.
-fn joined(first: &Text, between: &str, second: &Text) -> Text {
-    use crate::text::Lang::{En, Ru};
-    Text::of(
-        format!("{}{between}{}", first.get(En), second.get(En)),
-        format!("{}{between}{}", first.get(Ru), second.get(Ru)),
-    )
 }
 
 /// A value with its unit; one per minute is written 1/min.

@@ -1,6 +1,7 @@
 //! The picture of a table's report.
 
-use crate::figure::report::table::{frequency, spectrum};
+use crate::figure::report::table::frequency;
+use crate::figure::report::table::spectrum::{self, DRAWN};
 use crate::figure::{Figure, Layer, Legend, Meaning, Panel, Scale};
 use crate::inspect::table::{ColumnCheck, Landing, Prediction, TableCheck};
 use crate::nyquist::Alias;
@@ -10,8 +11,6 @@ use crate::text::Text;
 
 /// Samples up to which each is drawn as a dot.
 const DOTS: usize = 500;
-/// Points of a curve that can be told apart on a slide.
-const DRAWN: usize = 1600;
 /// Gaps up to which each is shaded.
 const SHADED: usize = 200;
 
@@ -94,13 +93,12 @@ fn samples(check: &TableCheck, column: &ColumnCheck) -> Panel {
     let value = Scale::linear(text!("{heading}", "{heading}"), low, high);
     let n = positions.len();
     let title = text!("samples: {n}", "отсчётов: {n}");
-    let panel = Panel::new("samples", title, times(check, true), value).legend(Legend::Above);
+    let mut panel = Panel::new("samples", title, times(check, true), value).legend(Legend::Above);
     let gaps = check.sampling.gaps();
     let since = |x: f64| x - positions[0];
     let mut longest = gaps.clone();
     longest.sort_by_key(|gap| std::cmp::Reverse(gap.missing));
     longest.truncate(SHADED);
-    let mut panel = panel;
     if !longest.is_empty() {
         let spans = longest.iter().map(|gap| gap.between.map(since));
         let missing = gaps.iter().map(|gap| gap.missing).sum::<usize>();

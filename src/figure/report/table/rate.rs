@@ -15,7 +15,7 @@ pub(super) fn section(check: &TableCheck, column: &ColumnCheck, prediction: &Pre
     if ratio == f64::INFINITY {
         return section.say(text!(
             "Nothing aliases: there is nothing at or above half that rate, {half}.",
-            "Наложений нет: выше половины этой частоты, {half}, ничего нет."
+            "Наложений нет: от половины этой частоты, {half}, и выше ничего нет."
         ));
     }
     let tolerance = number(check.tolerance, 3);

@@ -2,7 +2,7 @@
 
 use crate::figure::report::Section;
 use crate::figure::report::table::{frequency, percent, with_unit};
-use crate::inspect::table::TableCheck;
+use crate::inspect::table::{Likeness, TableCheck};
 use crate::record::{Kind, Order};
 use crate::text;
 use crate::text::Text;
@@ -74,7 +74,7 @@ fn kind(check: &TableCheck) -> Text {
             "Напечатанные моменты (с точностью до {half}) расположены равномерно."
         ),
     };
-    super::joined(&every, " ", &printed)
+    every.and(&Text::same(" ")).and(&printed)
 }
 
 fn gaps(check: &TableCheck) -> Option<Text> {
@@ -193,12 +193,12 @@ fn limits(check: &TableCheck) -> Option<Text> {
         "Их средняя плотность {density}, поэтому полоса выше {highest} не определена (Ландау); любая полоса ниже {safe} \
          определена, и устойчиво: наибольший промежуток {gap}, после {after} (строка {line}; Грёхениг)."
     );
-    Some(super::joined(&grid.unwrap_or_default(), "", &limits))
+    Some(grid.unwrap_or_default().and(&limits))
 }
 
 fn likenesses(check: &TableCheck) -> Vec<Text> {
     let found = check.columns.first().map_or(&[][..], |column| &column.found.likenesses[..]);
-    let say = |likeness: &crate::inspect::table::Likeness| {
+    let say = |likeness: &Likeness| {
         let (shift, height) = (frequency(check, likeness.shift, 4), percent(likeness.height));
         // a shift by the rate is what equally spaced samples cannot tell at all
         if check.sampling.step().is_some_and(|step| (likeness.shift * step - 1.0).abs() < 0.01) {

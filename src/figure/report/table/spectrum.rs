@@ -12,7 +12,7 @@ use crate::text;
 use crate::text::Text;
 
 /// Points of a curve that can be told apart on a slide.
-const DRAWN: usize = 1600;
+pub(super) const DRAWN: usize = 1600;
 /// The range of amplitudes shown: a millionth of the largest.
 const RANGE: f64 = 1e-6;
 
@@ -90,8 +90,7 @@ impl Spectra {
             ),
         };
         let named = Text::of(format!("{file}: "), format!("{file}: "));
-        let title = super::joined(&named, "", &what);
-        Portrait { title, caption: how, figure: Figure::new(1).with(self.panel(quantity)) }
+        Portrait { title: named.and(&what), caption: how, figure: Figure::new(1).with(self.panel(quantity)) }
     }
 
     fn panel(&self, quantity: Quantity) -> Panel {

@@ -1,38 +1,15 @@
 //! `nyquist interpolate` as a user meets it.
-#![cfg(feature = "cli")]
 
+use crate::running::{code, piped, run, stderr, stdout, text};
 use nyquist::num::random::uniform;
 use std::f64::consts::PI;
 use std::fs;
-use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::path::PathBuf;
+use std::process::Output;
 use tempfile::TempDir;
 
-fn command(args: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_nyquist"));
-    command.arg("interpolate").args(args);
-    command
-}
-
 fn interpolate(args: &[&str]) -> Output {
-    command(args).output().expect("the command starts")
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the command was not killed")
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn text(path: &Path) -> &str {
-    path.to_str().expect("the path is text")
+    run("interpolate", args)
 }
 
 /// A folder with a table in it.
@@ -133,11 +110,7 @@ fn the_dialect_of_the_input_is_that_of_the_output() {
 fn pipes_are_files() {
     let (_folder, input, output) = folder(&table(201));
     assert_eq!(code(&interpolate(&[text(&input), "--every", "0.003", "-o", text(&output)])), 0);
-    let pipes = ["-", "--every", "0.003", "-o", "-"];
-    let mut child =
-        command(&pipes).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    child.stdin.take().unwrap().write_all(table(201).as_bytes()).unwrap();
-    let done = child.wait_with_output().unwrap();
+    let done = piped("interpolate", &["-", "--every", "0.003", "-o", "-"], table(201).as_bytes());
     assert_eq!((code(&done), stdout(&done)), (0, fs::read_to_string(&output).unwrap()));
     assert!(stderr(&done).contains("kaiser"), "{}", stderr(&done));
 }
@@ -146,13 +119,12 @@ fn pipes_are_files() {
 fn dates_come_back_as_dates() {
     let row = |k: u32| format!("2026-01-31T23:59:{:02}.{}00Z,{}\n", 50 + k / 10, k % 10, signal(0.1 * f64::from(k)));
     let text_in = format!("when,U\n{}", (0..100).map(row).collect::<String>());
-    let (_folder, input, output) = folder(&text_in);
+    let (folder, input, output) = folder(&text_in);
     let done = interpolate(&[text(&input), "--every", "0.25", "-o", text(&output)]);
     assert_eq!(code(&done), 0, "{}", stderr(&done));
     let rows = rows(&fs::read_to_string(&output).unwrap());
     assert_eq!((rows[0].0.as_str(), rows[1].0.as_str()), ("2026-01-31T23:59:50.000Z", "2026-01-31T23:59:50.250Z"));
     assert_eq!(rows.len(), 40);
-    let (folder, ..) = (&_folder,);
     let times = folder.path().join("times.csv");
     fs::write(&times, "2026-01-31T23:59:55.5Z\n").unwrap();
     let done = interpolate(&[text(&input), "--at", text(&times), "-o", "-"]);

@@ -1,6 +1,7 @@
 //! What a picture's file says beside its pixels, and what is left out.
 
-use crate::running::{code, fixture, folder, grey, opened, piped, plain, resize, stderr, text, with_chunk};
+use crate::resize::material::{fixture, folder, grey, opened, plain, resize, with_chunk};
+use crate::running::{code, piped, stderr, text};
 use nyquist::door::carried::{Carried, Density, Depth, Per, Space};
 use nyquist::door::transfer::{Curve, Transfer};
 use nyquist::door::{Format, write_file};
@@ -108,7 +109,7 @@ fn what_is_left_out_is_named() {
     let bytes = png_bytes(&grey(6, 6, |x, _| x / 6.0).into(), Depth::Eight).unwrap();
     let bytes = with_chunk(&bytes, b"tEXt", b"Comment\0hello");
     let bytes = with_chunk(&bytes, b"tIME", &[7, 234, 1, 1, 0, 0, 0]);
-    let done = piped(&["-", "-", "--scale", "2"], &bytes);
+    let done = piped("resize", &["-", "-", "--scale", "2"], &bytes);
     assert_eq!(code(&done), 0);
     let said = stderr(&done);
     assert!(said.contains("note: tEXt (13 bytes) is not carried over") && said.contains("tIME (7 bytes)"), "{said}");
@@ -119,7 +120,7 @@ fn what_is_left_out_is_named() {
     control[11] = 6;
     let animated = with_chunk(&bytes, b"fcTL", &control);
     let animated = with_chunk(&animated, b"acTL", &[0, 0, 0, 1, 0, 0, 0, 0]);
-    let done = piped(&["-", "-", "--scale", "2"], &animated);
+    let done = piped("resize", &["-", "-", "--scale", "2"], &animated);
     assert_eq!(code(&done), 0, "{}", stderr(&done));
     assert!(stderr(&done).contains("an animation of 1 frames: only its still picture"), "{}", stderr(&done));
     // a JPEG that was held sideways
@@ -141,7 +142,7 @@ fn pipes_are_files_and_palettes_and_bits_become_colours() {
         let input = fixture(name);
         let done = resize(&[text(&input), text(&output), "--scale", "2", "--filter", "tent"]);
         assert_eq!(code(&done), 0, "{}", stderr(&done));
-        let through = piped(&["-", "-", "--scale", "2", "--filter", "tent"], &fs::read(&input).unwrap());
+        let through = piped("resize", &["-", "-", "--scale", "2", "--filter", "tent"], &fs::read(&input).unwrap());
         assert_eq!((code(&through), &through.stdout), (0, &fs::read(&output).unwrap()));
         let (before, after) = (opened(&fs::read(&input).unwrap()), opened(&through.stdout));
         assert_eq!(before.picture.alpha().is_some(), after.picture.alpha().is_some());

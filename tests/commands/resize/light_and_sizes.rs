@@ -1,6 +1,7 @@
 //! What is computed: light, sizes, places.
 
-use crate::running::{code, folder, grey, opened, plain, resize, stderr, text};
+use crate::resize::material::{folder, grey, opened, plain, resize};
+use crate::running::{code, stderr, text};
 use nyquist::door::carried::{Carried, Depth};
 use nyquist::image::resize::resize as resize_image;
 use nyquist::prelude::*;

@@ -1,32 +1,11 @@
 //! `nyquist check` and `nyquist spectrum` of pictures as a user meets them.
-#![cfg(feature = "cli")]
 
+use crate::running::{code, nyquist, stderr, stdout, text};
 use nyquist::prelude::*;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 use tempfile::TempDir;
-
-fn nyquist(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_nyquist")).args(args).output().expect("the command starts")
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the command was not killed")
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn text(path: &Path) -> &str {
-    path.to_str().expect("the path is text")
-}
 
 fn photograph() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("data/camera.png")
@@ -263,7 +242,8 @@ fn what_is_found_beside_a_prediction_says_why_it_differs() {
         let (_, report) = json(&["check", text(&photograph), "--scale", scale, "--json"]);
         let gratings = report["shrinking"]["gratings"].as_array().unwrap();
         let fine = gratings.iter().find(|g| (g["frequency"][0].as_f64().unwrap() - 0.313).abs() < 1e-3).unwrap();
-        assert!(fine["found"]["none"].as_f64().unwrap() > 2.0 * fine["alone"]["none"].as_f64().unwrap(), "{fine}");
+        // by more than a fifth, to which a grating is even
+        assert!(0.8 * fine["found"]["none"].as_f64().unwrap() > fine["alone"]["none"].as_f64().unwrap(), "{fine}");
         assert_eq!(fine["differs"]["none"], "more: texture lands there as well");
         // and what folds to zero is no moiré
         let plain = &report["shrinking"]["filters"][0];

@@ -1,5 +1,4 @@
 //! Exercises as a student and a teacher meet them.
-#![cfg(feature = "cli")]
 
 use nyquist::exercise::catalog;
 use nyquist::text::Lang;
@@ -135,6 +134,14 @@ fn a_teacher_sees_what_each_has_solved_and_whoever_loops_or_eats_memory_is_stopp
     let (code, table) = grade(&["--lang", "ru"]);
     assert!(code == 0 && table.contains("strange, 01 pixel: slow: Остановлено через 5 с"), "{table}");
     assert!(table.contains(&format!("{0} / {0}", catalog::all().len())), "{table}");
+}
+
+#[test]
+fn a_folder_without_an_answer_is_said_to_have_none() {
+    let folder = folder();
+    fs::create_dir(folder.path().join("nobody")).expect("made");
+    let (code, words) = done(&exercise(folder.path(), &["grade", "."]));
+    assert!(code == 2 && words.contains("no answer"), "{words}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! `nyquist spectrum` of sounds as a user meets it.
-#![cfg(feature = "cli")]
 
+use crate::running::{code, run, stderr, text};
 use nyquist::door::wav::{Dither, Encoding, WavFormat, WavWriter};
 use nyquist::num::{random, sin_pi};
 use nyquist::sampled::segments::Segments;
@@ -8,24 +8,12 @@ use nyquist::sampled::welch::welch;
 use nyquist::sampled::window::Window;
 use serde_json::Value;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::PathBuf;
+use std::process::Output;
 use tempfile::TempDir;
 
 fn spectrum(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_nyquist")).arg("spectrum").args(args).output().expect("the command starts")
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the command was not killed")
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn text(path: &Path) -> &str {
-    path.to_str().expect("the path is text")
+    run("spectrum", args)
 }
 
 /// A folder with a file of these frames, and its name.

@@ -1,24 +1,12 @@
 //! `nyquist render` as a user meets it: pictures, reports, refusals.
-#![cfg(feature = "cli")]
 
+use crate::running::{code, run, stderr, stdout};
 use nyquist::prelude::*;
 use std::fs;
 use std::process::{Command, Output};
 
 fn render(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_nyquist")).arg("render").args(args).output().expect("the command starts")
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the command was not killed")
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
+    run("render", args)
 }
 
 const SMALL: [&str; 6] = ["--width", "24", "--height", "16", "--spp", "4"];

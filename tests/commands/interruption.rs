@@ -1,12 +1,9 @@
 //! Whoever stops the command finds no temporary file; options that could do nothing are refused.
 
+use crate::running::nyquist;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
-
-fn nyquist(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_nyquist")).args(args).output().expect("the command starts")
-}
+use std::process::{Command, Stdio};
 
 #[cfg(unix)]
 #[test]

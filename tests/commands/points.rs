@@ -1,35 +1,18 @@
 //! `nyquist points` as a user meets it.
-#![cfg(feature = "cli")]
 
+use crate::running::{code, run, stderr, stdout, text};
 use nyquist::pattern::catalog::by_name;
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 fn points(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_nyquist")).arg("points").args(args).output().expect("the command starts")
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the command was not killed")
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
+    run("points", args)
 }
 
 /// The numbers of a table, without its header.
 fn rows(csv: &str) -> Vec<Vec<f64>> {
     let numbers = |line: &str| line.split(',').map(|n| n.parse().expect("a number")).collect();
     csv.lines().skip(1).map(numbers).collect()
-}
-
-fn text(path: &Path) -> &str {
-    path.to_str().expect("the path is text")
 }
 
 #[test]

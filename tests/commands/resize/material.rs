@@ -1,46 +1,16 @@
 //! The command, and pictures for it.
 
+use crate::running::run;
 use nyquist::door::carried::{Carried, Light, Opened};
 use nyquist::door::{Format, read_file, write_file};
 use nyquist::prelude::*;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::Output;
 use tempfile::TempDir;
 
-pub(crate) fn command(args: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_nyquist"));
-    command.arg("resize").args(args);
-    command
-}
-
 pub(crate) fn resize(args: &[&str]) -> Output {
-    command(args).output().expect("the command starts")
-}
-
-pub(crate) fn piped(args: &[&str], input: &[u8]) -> Output {
-    let mut command = command(args);
-    let pipes = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut child = pipes.spawn().expect("the command starts");
-    let mut stdin = child.stdin.take().expect("there is a pipe");
-    let input = input.to_vec();
-    let feed = std::thread::spawn(move || drop(stdin.write_all(&input)));
-    let output = child.wait_with_output().expect("the command ends");
-    feed.join().expect("the pipe was fed");
-    output
-}
-
-pub(crate) fn code(output: &Output) -> i32 {
-    output.status.code().expect("the command was not killed")
-}
-
-pub(crate) fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-pub(crate) fn text(path: &Path) -> &str {
-    path.to_str().expect("the path is text")
+    run("resize", args)
 }
 
 pub(crate) fn fixture(name: &str) -> PathBuf {

@@ -1,40 +1,14 @@
 //! `nyquist check` of tables, as a user meets it.
-#![cfg(feature = "cli")]
 
-use serde_json::Value;
+use crate::running::{code, json, nyquist, piped, stderr, stdout, text};
 use std::f64::consts::PI;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::Output;
 use tempfile::TempDir;
-
-fn nyquist(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_nyquist")).args(args).output().expect("the command starts")
-}
 
 fn check(input: &Path, args: &[&str]) -> Output {
     nyquist(&[&["check", text(input)], args].concat())
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the command was not killed")
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn json(output: &Output) -> Value {
-    serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{e}: {}{}", stdout(output), stderr(output)))
-}
-
-fn text(path: &Path) -> &str {
-    path.to_str().expect("the path is text")
 }
 
 fn folder(table: &str) -> (TempDir, PathBuf) {
@@ -267,13 +241,6 @@ fn the_report_is_written_in_every_form_and_from_a_pipe() {
         let again = check(&input, &args);
         assert!(code(&again) == 2 && stderr(&again).contains("--force"));
     }
-    let mut child = Command::new(env!("CARGO_BIN_EXE_nyquist"))
-        .args(["check", "-", "--rate", "80"])
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-    child.stdin.take().unwrap().write_all(table().as_bytes()).unwrap();
-    let piped = child.wait_with_output().unwrap();
-    assert!(code(&piped) == 1 && stdout(&piped).starts_with("standard input: 2000 samples"), "{}", stdout(&piped));
+    let fed = piped("check", &["-", "--rate", "80"], table().as_bytes());
+    assert!(code(&fed) == 1 && stdout(&fed).starts_with("standard input: 2000 samples"), "{}", stdout(&fed));
 }

@@ -1,32 +1,15 @@
 //! `nyquist spectrum` of tables, as a user meets it.
-#![cfg(feature = "cli")]
 
+use crate::running::{code, run, stderr, stdout, text};
 use serde_json::Value;
 use std::f64::consts::PI;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 use tempfile::TempDir;
 
 fn spectrum(input: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_nyquist"));
-    command.arg("spectrum").arg(input).args(args).output().expect("the command starts")
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the command was not killed")
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn text(path: &Path) -> &str {
-    path.to_str().expect("the path is text")
+    run("spectrum", &[&[text(input)], args].concat())
 }
 
 fn folder(header: &str, rows: impl Iterator<Item = (f64, f64)>) -> (TempDir, PathBuf) {

@@ -1,21 +1,9 @@
 //! The command line as a user meets it: exit codes, messages, files.
-#![cfg(feature = "cli")]
 
+use crate::running::{code, nyquist, stderr};
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
-
-fn nyquist(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_nyquist")).args(args).output().expect("the command starts")
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the command was not killed")
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
+use std::process::Command;
 
 #[test]
 fn a_figure_is_written_in_every_format_and_language_and_the_exit_code_is_zero() {

@@ -1,6 +1,7 @@
 //! Files stay what they were, and nonsense is one sentence.
 
-use crate::running::{code, crc, fixture, grey, piped, plain, resize, stderr, text};
+use crate::resize::material::{crc, fixture, grey, plain, resize};
+use crate::running::{code, piped, stderr, text};
 use nyquist::prelude::*;
 use std::fs;
 use std::path::Path;
@@ -89,7 +90,7 @@ fn hostile_files_are_one_sentence() {
     let mut corrupt = good.clone();
     let length = u32::from_be_bytes([0, 1, 2, 3].map(|i| good[data - 4 + i])) as usize;
     corrupt[data + 4] = 0xff;
-    let sum = crate::running::crc(&corrupt[data..data + 4 + length]);
+    let sum = crate::resize::material::crc(&corrupt[data..data + 4 + length]);
     corrupt[data + 4 + length..data + 8 + length].copy_from_slice(&sum);
     for (file, words) in [
         (flipped, "the chunk IDAT is damaged (its checksum differs)"),
@@ -103,7 +104,7 @@ fn hostile_files_are_one_sentence() {
         (bad_index, "of a palette of 2"),
         (Vec::new(), "the file is empty"),
     ] {
-        let done = piped(&["-", "-", "--scale", "2"], &file);
+        let done = piped("resize", &["-", "-", "--scale", "2"], &file);
         assert_eq!(code(&done), 2, "{words}");
         let said = stderr(&done);
         assert!(said.contains(words) && said.lines().count() == 1 && said.starts_with("error: "), "{words}: {said}");
@@ -114,7 +115,7 @@ fn hostile_files_are_one_sentence() {
 #[test]
 fn what_stands_behind_the_end_is_counted_and_not_read() {
     let good = png_bytes(&grey(5, 3, |x, _| x / 5.0).into(), Depth::Eight).unwrap();
-    let done = piped(&["-", "-", "--scale", "2"], &[&good[..], &[b'x'; 100]].concat());
+    let done = piped("resize", &["-", "-", "--scale", "2"], &[&good[..], &[b'x'; 100]].concat());
     assert_eq!((code(&done), stderr(&done).as_str()), (0, "note: 100 bytes after the end of the PNG ignored\n"));
 }
 

@@ -1,47 +1,16 @@
 //! `nyquist resample` as a user meets it.
-#![cfg(feature = "cli")]
 
+use crate::running::{code, piped, run, stderr, text};
 use nyquist::door::wav::{Dither, Encoding, WavFormat, WavReader, WavWriter};
 use nyquist::num::sin_pi;
 use nyquist::rate::{Quality, convert};
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::Output;
 use tempfile::TempDir;
 
-fn command(args: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_nyquist"));
-    command.arg("resample").args(args);
-    command
-}
-
 fn resample(args: &[&str]) -> Output {
-    command(args).output().expect("the command starts")
-}
-
-fn piped(args: &[&str], input: &[u8]) -> Output {
-    let mut command = command(args);
-    let pipes = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut child = pipes.spawn().expect("the command starts");
-    let mut stdin = child.stdin.take().expect("there is a pipe");
-    let input = input.to_vec();
-    let feed = std::thread::spawn(move || drop(stdin.write_all(&input)));
-    let output = child.wait_with_output().expect("the command ends");
-    feed.join().expect("the pipe was fed");
-    output
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the command was not killed")
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn text(path: &Path) -> &str {
-    path.to_str().expect("the path is text")
+    run("resample", args)
 }
 
 fn wav(format: WavFormat, values: &[f64]) -> Vec<u8> {
@@ -114,17 +83,17 @@ fn pipes_are_files() {
     let bytes = fs::read(&input).unwrap();
     assert_eq!(code(&resample(&[text(&input), text(&output), "--rate", "48000"])), 0);
     let whole = fs::read(&output).unwrap();
-    let through = piped(&["-", "-", "--rate", "48000"], &bytes);
+    let through = piped("resample", &["-", "-", "--rate", "48000"], &bytes);
     assert_eq!((code(&through), &through.stdout), (0, &whole), "{}", stderr(&through));
     // a stream that left its length open, into a file: the length is there in the end
     let mut open = bytes.clone();
     open[40..44].copy_from_slice(&[0xff; 4]);
-    assert_eq!(code(&piped(&["-", text(&output), "--rate", "48000", "--force"], &open)), 0);
+    assert_eq!(code(&piped("resample", &["-", text(&output), "--rate", "48000", "--force"], &open)), 0);
     let file = fs::read(&output).unwrap();
     assert_eq!(WavReader::new("x", &file[..]).unwrap().frames(), Some(54_000));
     assert_eq!(read(&file).1, read(&whole).1);
     // and into a pipe: it stays open
-    let through = piped(&["-", "-", "--rate", "48000"], &open);
+    let through = piped("resample", &["-", "-", "--rate", "48000"], &open);
     assert_eq!(read(&through.stdout).1, read(&whole).1);
 }
 
@@ -178,7 +147,7 @@ fn clipping_is_said() {
 fn chunks_that_are_dropped_are_named() {
     let mut bytes = wav(WavFormat::new(8_000, 1, Encoding::Int16).unwrap(), &[0.0; 100]);
     bytes.extend(b"LIST\x04\0\0\0INFO");
-    let done = piped(&["-", "-", "--rate", "16000"], &bytes);
+    let done = piped("resample", &["-", "-", "--rate", "16000"], &bytes);
     assert_eq!(code(&done), 0);
     assert_eq!(stderr(&done), "note: the chunk \"LIST\" (4 bytes) is not carried over\n");
 }
@@ -233,4 +202,16 @@ fn help_states_the_qualities_in_numbers() {
     for words in ["0.91", "0.96", "0.99", "100 dB", "150 dB", "200 dB", "1e-9"] {
         assert!(help.contains(words), "{words}: {help}");
     }
+}
+
+#[test]
+fn limits_of_the_rate_and_an_empty_sound_are_said() {
+    let (_folder, input, output) = folder(48_000, 1, Encoding::Int16, &[]);
+    let done = resample(&[text(&input), text(&output), "--rate", "44.1"]);
+    assert_eq!(code(&done), 2);
+    let said = stderr(&done);
+    assert!(said.contains("--rate must lie between 48 and 48000000 Hz") && said.ends_with("got 44.1\n"), "{said}");
+    let done = resample(&[text(&input), text(&output), "--rate", "8000"]);
+    assert_eq!(code(&done), 0);
+    assert!(stderr(&done).contains("the input is empty"), "{}", stderr(&done));
 }

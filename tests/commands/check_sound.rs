@@ -1,59 +1,20 @@
 //! `nyquist check` of sounds as a user meets it: what it prints about another rate is found in the file that is made so.
-#![cfg(feature = "cli")]
 
+use crate::running::{code, json, piped, run, stderr, stdout, text};
 use nyquist::door::wav::{Dither, Encoding, WavFormat, WavWriter};
 use nyquist::num::{cos_pi, sin_pi};
 use serde_json::Value;
 use std::fs;
-use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::path::PathBuf;
+use std::process::{Command, Output};
 use tempfile::TempDir;
 
-fn command(args: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_nyquist"));
-    command.arg("check").args(args);
-    command
-}
-
 fn check(args: &[&str]) -> Output {
-    command(args).output().expect("the command starts")
-}
-
-fn piped(args: &[&str], input: &[u8]) -> Output {
-    let mut command = command(args);
-    let pipes = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut child = pipes.spawn().expect("the command starts");
-    let mut stdin = child.stdin.take().expect("there is a pipe");
-    let input = input.to_vec();
-    let feed = std::thread::spawn(move || drop(stdin.write_all(&input)));
-    let output = child.wait_with_output().expect("the command ends");
-    feed.join().expect("the pipe was fed");
-    output
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the command was not killed")
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
-
-fn json(output: &Output) -> Value {
-    serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("JSON: {}{}", stdout(output), stderr(output)))
+    run("check", args)
 }
 
 fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("a number: {value}"))
-}
-
-fn text(path: &Path) -> &str {
-    path.to_str().expect("the path is text")
 }
 
 fn wav(rate: u32, channels: u16, encoding: Encoding, values: &[f64]) -> Vec<u8> {
@@ -108,7 +69,8 @@ fn what_is_predicted_is_found_in_every_kind_of_samples() {
         let dropped: Vec<f64> = read(&fs::read(&input).unwrap()).into_iter().step_by(3).collect();
         for (line, [a, f]) in folded.iter().zip(&TONES[2..]) {
             let (place, level) = (number(&line["lands_at"]), number(&line["levels"]["plain"]));
-            // noise of dithered integers, q²/4, in a bin of 8192, and in the correlation: five deviations
+            // noise of dithered integers, q²/4, in a bin of 8192, and in the correlation: five deviations; 32-bit
+            // floats of up to 1 round to 2⁻²⁵, 3·10⁻⁸
             let q = encoding.step();
             let most = 5.0 * (0.25 * q * q * 2.0 * (2.8 / 8_192.0 + 3.0 / dropped.len() as f64)).sqrt() + 1e-7;
             let said = 10f64.powf(level / 20.0);
@@ -198,7 +160,7 @@ fn pipes_are_files_and_lengths_may_be_open() {
     let whole = json(&check(&[text(&input), "--rate", "8000", "--json"]));
     let mut open = bytes;
     open[40..44].copy_from_slice(&[0xff; 4]);
-    let mut through = json(&piped(&["-", "--rate", "8000", "--json"], &open));
+    let mut through = json(&piped("check", &["-", "--rate", "8000", "--json"], &open));
     assert_eq!(through["file"], "standard input");
     through["file"] = whole["file"].clone();
     assert_eq!(through, whole);
@@ -357,22 +319,4 @@ fn a_header_without_a_length_is_said_to_have_none() {
     let (_folder, input) = file(&bytes);
     let done = check(&[text(&input)]);
     assert!(stderr(&done).contains("the header gives no length: read to the end of the file"), "{}", stderr(&done));
-}
-
-#[test]
-fn resample_names_its_limits_and_an_empty_file() {
-    let resample = |input: &Path, rate: &str| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_nyquist"));
-        let output = input.with_file_name("out.wav");
-        command.args(["resample", text(input), text(&output), "--force", "--rate", rate]).output().expect("it starts")
-    };
-    let (_folder, input) = file(&wav(48_000, 1, Encoding::Int16, &[]));
-    let done = resample(&input, "44.1");
-    assert_eq!(code(&done), 2);
-    assert!(
-        stderr(&done).contains("--rate must lie between 48 and 48000000 Hz") && stderr(&done).ends_with("got 44.1\n")
-    );
-    let done = resample(&input, "8000");
-    assert_eq!(code(&done), 0);
-    assert!(stderr(&done).contains("the input is empty"), "{}", stderr(&done));
 }
