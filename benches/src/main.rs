@@ -100,7 +100,9 @@ fn folder() -> PathBuf {
 fn save(name: &str, value: &impl serde::Serialize) -> Result<(), String> {
     let text = serde_json::to_string_pretty(value).map_err(|error| error.to_string())?;
     let path = folder().join(name);
-    fs::create_dir_all(folder()).and_then(|()| fs::write(&path, text + "\n")).map_err(|e| format!("{}: {e}", path.display()))
+    fs::create_dir_all(folder())
+        .and_then(|()| fs::write(&path, text + "\n"))
+        .map_err(|e| format!("{}: {e}", path.display()))
 }
 
 /// `RESULTS.md` from all that was measured, by this program and by the scripts in `python/`.

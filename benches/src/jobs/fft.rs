@@ -35,7 +35,8 @@ fn axis(n: usize) -> Axis {
 }
 
 fn complex<T: Real + FftNum>(n: usize, threads: usize, machine: &Machine) -> Race<'static> {
-    let input: Vec<Complex<T>> = noise(n).zip(noise(2 * n).skip(n)).map(|(re, im)| Complex::new(T::of(re), T::of(im))).collect();
+    let input: Vec<Complex<T>> =
+        noise(n).zip(noise(2 * n).skip(n)).map(|(re, im)| Complex::new(T::of(re), T::of(im))).collect();
     let mut out = vec![Complex::default(); n];
     let ours = PhysicalFft::new(axis(n));
     ours.forward(&input, &mut out).expect("the lengths agree");

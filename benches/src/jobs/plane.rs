@@ -45,11 +45,7 @@ fn power<T: Real + FftNum>(n: usize, threads: usize, machine: &Machine) -> Race<
     let theirs = image.clone();
     let pixels = (n * n) as f64;
     let width = size_of::<T>() as f64;
-    let limit = machine.least(
-        pixels * width * (1.0 + 2.0 + 1.0),
-        2.5 * pixels * pixels.log2() * width / 8.0,
-        threads,
-    );
+    let limit = machine.least(pixels * width * (1.0 + 2.0 + 1.0), 2.5 * pixels * pixels.log2() * width / 8.0, threads);
     Race {
         case: format!("{n}², {}", if width == 8.0 { "f64" } else { "f32" }),
         threads,
@@ -58,7 +54,9 @@ fn power<T: Real + FftNum>(n: usize, threads: usize, machine: &Machine) -> Race<
         allowed: 2.0 * 2.0 * 8.0 * size(T::epsilon()) * pixels.log2(),
         contenders: vec![
             Contender::ours("nyquist", differ, move || ours.power(&image, &mut out).expect("the sizes agree")),
-            Contender::peer("realfft + rustfft in blocks (half plane only)", differ, move || known.power(&theirs, &mut half)),
+            Contender::peer("realfft + rustfft in blocks (half plane only)", differ, move || {
+                known.power(&theirs, &mut half)
+            }),
         ],
     }
 }

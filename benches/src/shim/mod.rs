@@ -17,7 +17,8 @@ fn on<R: Send>(threads: usize, work: impl FnOnce() -> R + Send) -> R {
         match pools.iter().find(|(count, _)| *count == threads) {
             Some(&(_, pool)) => pool,
             None => {
-                let built = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
+                let built =
+                    rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
                 let pool: &'static _ = Box::leak(Box::new(built));
                 pools.push((threads, pool));
                 pool
