@@ -131,10 +131,10 @@ fn wide<T: Real>(z: Complex<T>) -> Complex<f64> {
 }
 
 /// Three transforms of up to `4n` numbers follow on one another where the length is a prime (Bluestein 1970), each with
-/// errors up to `8ε·log₂`; the few frequencies that are looked at can be smaller than the mean of all, so ten times that.
+/// errors up to `8ε·log₂` of the mean of all values; the mean of the seven that are looked at can be a third of it.
 fn allowed<T: Real>(n: usize) -> f64 {
     let epsilon = T::epsilon().to_f64().expect("every number is one of 64 bits");
-    10.0 * 8.0 * epsilon * 3.0 * (4.0 * n as f64).log2()
+    3.0 * 8.0 * epsilon * 3.0 * (4.0 * n as f64).log2()
 }
 
 /// Numbers read and written once, and `operations·n·log₂n` additions and multiplications; those of 32 bits count half.

@@ -21,7 +21,12 @@ pub struct Job {
 /// All of them.
 pub static ALL: &[Job] = &[fft::JOB, plane::JOB];
 
-/// Numbers between −1 and 1 that look random, the same in every run: the fractional parts of multiples of the golden ratio.
+/// Numbers between −1 and 1 that look random, the same in every run (SplitMix64: Steele, Lea, Flood 2014).
 fn noise(n: usize) -> impl Iterator<Item = f64> {
-    (1..=n).map(|i| 2.0 * (i as f64 * 0.618_033_988_749_894_9).fract() - 1.0)
+    (1..=n as u64).map(|i| {
+        let z = i.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    })
 }
