@@ -122,7 +122,13 @@ fn write_results() -> Result<(), String> {
         }
     }
     outcomes.sort_by(|a, b| a.job.cmp(&b.job));
-    let text = format!("{}{machine}\n\n{}{}", include_str!("head.md"), table::table(&outcomes), foot(&outcomes));
+    let text = format!(
+        "{}{machine}\n\n{}\n## Every run\n\n{}{}",
+        include_str!("head.md"),
+        table::summary(&outcomes),
+        table::table(&outcomes),
+        foot(&outcomes)
+    );
     let path = folder().with_file_name("RESULTS.md");
     fs::write(&path, text).map_err(|e| format!("{}: {e}", path.display()))
 }

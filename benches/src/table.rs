@@ -3,6 +3,33 @@
 use crate::race::{Line, Outcome};
 use std::fmt::Write;
 
+/// One line a case: ours over the fastest of all others, in whichever run it took part, on one thread and on two.
+pub fn summary(outcomes: &[Outcome]) -> String {
+    let mut out = String::from(
+        "| job | case | one thread | | two threads | |\n\
+         | --- | --- | ---: | --- | ---: | --- |\n",
+    );
+    let mut seen: Vec<(&str, &str)> = Vec::new();
+    for outcome in outcomes {
+        let case = (outcome.job.as_str(), outcome.case.as_str());
+        if seen.contains(&case) {
+            continue;
+        }
+        seen.push(case);
+        let worst = |threads: usize| {
+            let runs =
+                outcomes.iter().filter(|o| (o.job.as_str(), o.case.as_str(), o.threads) == (case.0, case.1, threads));
+            let ratios = runs.filter_map(|o| Some((o.ratio()?, o.best(false)?.name.as_str())));
+            let slowest = ratios.max_by(|a, b| a.0.total_cmp(&b.0));
+            slowest.map_or(["—".to_owned(), String::new()], |(ratio, who)| [format!("{ratio:.2}"), who.to_owned()])
+        };
+        let ([one, by_one], [two, by_two]) = (worst(1), worst(2));
+        writeln!(out, "| {} | {} | {one} | {by_one} | {two} | {by_two} |", case.0, case.1)
+            .expect("writing to a string cannot fail");
+    }
+    out
+}
+
 /// The rows of the outcomes: ours, the best other, their ratio, the limit, and the errors beside the times.
 pub fn table(outcomes: &[Outcome]) -> String {
     let mut out = String::from(
