@@ -57,7 +57,7 @@ def one(n, real, number, values, threads, rounds):
     contenders = [
         Contender("nyquist", error(ours, lambda: out, (plain * turned)[order]), ours, ours=True),
         Contender(f"ducc0 {ducc0.__version__}", error(ducc, lambda: theirs, plain), ducc),
-        Contender(f"FFTW {pyfftw.fftw_version.split('-')[1]} measured", error(planned, lambda: planned.output_array, plain), planned),
+        Contender(f"FFTW (pyfftw {pyfftw.__version__}) measured", error(planned, lambda: planned.output_array, plain), planned),
         Contender(f"SciPy {scipy.__version__}", error(by_scipy, by_scipy, plain), by_scipy),
     ]
     size = f"2^{n.bit_length() - 1}" if n & (n - 1) == 0 else str(n)

@@ -42,7 +42,7 @@ def one(n, number, image, threads, rounds):
     runs = {
         f"ducc0 {ducc0.__version__}": lambda: square(ducc0.fft.r2c(image, axes=(0, 1), nthreads=threads, out=half)),
         f"mkl_fft {mkl_fft.__version__}": lambda: square(mkl_fft.interfaces.numpy_fft.rfft2(image)),
-        f"FFTW {pyfftw.fftw_version.split('-')[1]} measured": lambda: square(fftw()),
+        f"FFTW (pyfftw {pyfftw.__version__}) measured": lambda: square(fftw()),
         f"SciPy {scipy.__version__}": lambda: square(scipy.fft.rfft2(image, workers=threads)),
     }
     # the reference: 64 bits by ducc0 where 32 are asked about; for 64 bits the peers check one another and us
