@@ -1,14 +1,17 @@
-"""Three of the lecture's figures drawn with matplotlib, to SVG, PNG and PDF: the yardstick for `nyquist figures`.
+"""Job i: three of the lecture's figures drawn with matplotlib and by `nyquist figures`, to SVG, PNG and PDF.
 
-The same panels, curves, number of points and size (1600 x 900) as f20-closer, f27-overlap and f28-leak. Run by
-benches/figures.sh, which times both side by side.
+The same panels, curves, number of points and size (1600 x 900) as f20-closer, f27-overlap and f28-leak.
 """
 
+import os
+import subprocess
 import sys
-import time
+import tempfile
 from pathlib import Path
 
 import matplotlib
+
+from race import Contender, race, save
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
@@ -77,18 +80,32 @@ def leak():
     return figure
 
 
-def main(out, repeats):
-    out.mkdir(parents=True, exist_ok=True)
-    for _ in range(repeats):
-        start = time.perf_counter()
-        for build in [closer, overlap, leak]:
-            figure = build()
-            figure.tight_layout()
-            for extension in ["svg", "png", "pdf"]:
-                figure.savefig(out / f"{build.__name__}.{extension}", dpi=100)
-            plt.close(figure)
-        print(f"{time.perf_counter() - start:.4f}")
+def draw(out):
+    for build in [closer, overlap, leak]:
+        figure = build()
+        figure.tight_layout()
+        for extension in ["svg", "png", "pdf"]:
+            figure.savefig(out / f"{build.__name__}.{extension}", dpi=100)
+        plt.close(figure)
+
+
+def main(rounds):
+    with tempfile.TemporaryDirectory() as folder:
+        theirs, ours = Path(folder, "theirs"), Path(folder, "ours")
+        theirs.mkdir()
+        command = [os.environ["NYQUIST"], "f20-closer", "f27-overlap", "f28-leak", "--lang", "en", "--jobs", "1"]
+        contenders = [
+            Contender(
+                "nyquist (the whole process)",
+                0,
+                lambda: subprocess.run([*command, "--out", ours], check=True, capture_output=True),
+                ours=True,
+            ),
+            Contender(f"matplotlib {matplotlib.__version__} (without start and imports)", 0, lambda: draw(theirs)),
+        ]
+        # nothing is compared: both draw the panels, curves and points that are named above
+        save("figures", [race("i", "three figures, nine panels, SVG, PNG and PDF", 1, 0, contenders, None, rounds)])
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), int(sys.argv[2]))
+    main(int(sys.argv[1]))

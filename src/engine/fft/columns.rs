@@ -7,13 +7,13 @@ use crate::engine::simd::{Loop, vectorised};
 use crate::parallel;
 use num_complex::Complex;
 
-/// How many complex columns are gathered at a time: as many as four lines of a cache hold.
+/// How many complex columns are gathered at a time: as many as eight lines of a cache hold.
 pub(super) const fn block<T>() -> usize {
-    256 / size_of::<Complex<T>>()
+    512 / size_of::<Complex<T>>()
 }
 
 /// The most of them.
-const MOST: usize = 32;
+const MOST: usize = 64;
 
 /// Numbers between columns that lie one after another, so that a row of them does not fall into one set of the cache when
 /// they are a power of two long.

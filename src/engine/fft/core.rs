@@ -57,6 +57,11 @@ impl<T: Real> Core<T> {
         self.n
     }
 
+    /// Whether it is done in one piece, in the place of its result.
+    pub(super) fn is_whole(&self) -> bool {
+        matches!(self.way, Way::Whole(_))
+    }
+
     /// Whether it has all frequencies, not only those that were wanted.
     pub(super) fn keeps_all(&self) -> bool {
         !matches!(self.way, Way::Chirp(_))

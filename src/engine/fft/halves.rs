@@ -17,6 +17,7 @@ pub(super) fn packed<T: Real>(values: &[T]) -> Numbers<'_, T> {
 /// `X̄_k + X_{M−k} − i·e^{−2πik/n}·(X̄_k − X_{M−k})`, `M = n/2` (twice of it).
 pub(super) struct Folded<'a, T> {
     pub(super) half: &'a [Complex<T>],
+    /// `−i·e^{−2πik/n}`.
     pub(super) roots: &'a Turns<T>,
 }
 
@@ -37,8 +38,8 @@ impl<T: Real> Source<T> for Folded<'_, T> {
             let (re, im) = (here.re[i] - there.re[i], here.im[i] - there.im[i]);
             let odd_re = re * roots.re[i] - im * roots.im[i];
             let odd_im = re * roots.im[i] + im * roots.re[i];
-            line.re[i] = here.re[i] + there.re[i] + odd_im;
-            line.im[i] = here.im[i] + there.im[i] - odd_re;
+            line.re[i] = here.re[i] + there.re[i] + odd_re;
+            line.im[i] = here.im[i] + there.im[i] + odd_im;
         }
     }
 }
@@ -111,12 +112,11 @@ impl<T: Real> Loop for Backwards<'_, T> {
     }
 }
 
-/// The frequencies of [packed] values as those of the values: the Hermitian part of `Z` is the spectrum of the even, the
-/// anti-Hermitian that of the odd ones, so `2X_k = E_k + t_k` and `2X_{M−k} = (E_k − t_k)*` with
-/// `E_k = Z_k + Z̄_{M−k}`, `t_k = −i·e^{−2πik/n}·(Z_k − Z̄_{M−k})` (Sorensen et al. 1987).
+/// What [unfold](crate::engine::fft::standing::unfold) does, from frequencies that stand elsewhere.
 #[derive(Clone, Copy)]
 pub(super) struct Halves<'a, T> {
     pub(super) frequencies: Frequencies<'a, T>,
+    /// `−i·e^{−2πik/n}`.
     pub(super) roots: &'a Turns<T>,
     /// A factor of each, with the ½ in it; of absolute value `|f(0)|` all.
     pub(super) factors: Option<&'a Turns<T>>,
@@ -160,18 +160,6 @@ impl<T: Real> Loop for Ends<'_, T> {
         let half = T::of(0.5);
         // f(M − k) = f(M)·f̄(k)/|f(0)|
         let end = factors.map(|factors| factors.at(middle).conj().unscale(factors.gain()));
-        match (frequencies.plain(), roots.table(), factors.map(Turns::table)) {
-            (Some(store), Some(roots), None) if self.first == 0 => {
-                return self.in_a_row(store, roots, std::iter::repeat((&half, &half)), |z, f| z.scale(*f));
-            }
-            (Some(store), Some(roots), Some(Some(table))) if self.first == 0 => {
-                let tables = table.iter().zip(table.iter().rev());
-                let times =
-                    |z: Complex<T>, f: &Complex<T>| Complex::new(z.re * f.re - z.im * f.im, z.re * f.im + z.im * f.re);
-                return self.in_a_row(store, roots, tables, times);
-            }
-            _ => {}
-        }
         let (mut here, mut there, mut up, mut down) =
             (Line::default(), Line::default(), Line::default(), Line::default());
         for (i, (front, back)) in self.front.chunks_mut(WIDTH).zip(self.back.rchunks_mut(WIDTH)).enumerate() {
@@ -182,8 +170,8 @@ impl<T: Real> Loop for Ends<'_, T> {
             for i in 0..WIDTH {
                 let (even_re, even_im) = (here.re[i] + there.re[i], here.im[i] - there.im[i]);
                 let (re, im) = (here.re[i] - there.re[i], here.im[i] + there.im[i]);
-                let odd_re = re * roots.im[i] + im * roots.re[i];
-                let odd_im = im * roots.im[i] - re * roots.re[i];
+                let odd_re = re * roots.re[i] - im * roots.im[i];
+                let odd_im = im * roots.re[i] + re * roots.im[i];
                 (up.re[i], up.im[i]) = (even_re + odd_re, even_im + odd_im);
                 (down.re[i], down.im[i]) = (even_re - odd_re, odd_im - even_im);
             }
@@ -205,36 +193,6 @@ impl<T: Real> Loop for Ends<'_, T> {
             }
             up.write(front);
             down.write_down(back);
-        }
-    }
-}
-
-impl<T: Real> Ends<'_, T> {
-    /// All of it in one long loop, from numbers and tables that stand in a row.
-    #[inline(always)]
-    fn in_a_row<'f, F: 'f>(
-        self,
-        store: &[Complex<T>],
-        roots: &[Complex<T>],
-        mut factors: impl Iterator<Item = (&'f F, &'f F)>,
-        times: impl Fn(Complex<T>, &F) -> Complex<T>,
-    ) {
-        let both = |z: Complex<T>, mirrored: Complex<T>, root: Complex<T>| {
-            let (even_re, even_im) = (z.re + mirrored.re, z.im - mirrored.im);
-            let (re, im) = (z.re - mirrored.re, z.im + mirrored.im);
-            let (odd_re, odd_im) = (re * root.im + im * root.re, im * root.im - re * root.re);
-            (Complex::new(even_re + odd_re, even_im + odd_im), Complex::new(even_re - odd_re, odd_im - even_im))
-        };
-        let mut ends = self.front.iter_mut().zip(self.back.iter_mut().rev());
-        // zero is its own mirror
-        if let (Some((front, back)), Some((f, g))) = (ends.next(), factors.next()) {
-            let (up, down) = both(store[0], store[0], roots[0]);
-            (*front, *back) = (times(up, f), times(down, g));
-        }
-        let numbers = store[1..].iter().zip(store[1..].iter().rev()).zip(&roots[1..]);
-        for (((front, back), ((z, mirrored), root)), (f, g)) in ends.zip(numbers).zip(factors) {
-            let (up, down) = both(*z, *mirrored, *root);
-            (*front, *back) = (times(up, f), times(down, g));
         }
     }
 }

@@ -37,6 +37,7 @@
 //! # Ok::<(), nyquist::error::Error>(())
 //! ```
 
+mod block;
 mod butterflies;
 mod chirp;
 mod columns;
@@ -53,6 +54,7 @@ mod radix;
 mod real_fft;
 mod roots;
 mod rows;
+mod standing;
 mod streams;
 
 pub use butterflies::Butterflies;

@@ -44,15 +44,6 @@ impl<'a, T: Real> Frequencies<'a, T> {
         Self { store, order, n }
     }
 
-    /// All of them, if they stand one after another.
-    #[inline(always)]
-    pub(super) fn plain(&self) -> Option<&'a [Complex<T>]> {
-        match self.order {
-            Order::Plain => Some(self.store),
-            _ => None,
-        }
-    }
-
     /// How many there are.
     #[inline(always)]
     pub(super) fn len(&self) -> usize {
@@ -117,16 +108,6 @@ impl<T: Real> Loop for InOrder<'_, T> {
     #[inline(always)]
     fn run(self) {
         let n = self.frequencies.n;
-        if let (Some(store), Some(table)) = (self.frequencies.plain(), self.factors.and_then(Turns::table)) {
-            // both in a row: two long loops
-            let table = &table[self.first..self.first + self.out.len()];
-            let (rising, negative) = store.split_at(n - self.shift);
-            let split = self.shift.saturating_sub(self.first).min(self.out.len());
-            let (low, high) = self.out.split_at_mut(split);
-            multiply(low, &negative[self.first.min(self.shift)..], table);
-            multiply(high, &rising[self.first.saturating_sub(self.shift)..], &table[split..]);
-            return;
-        }
         let mut line = Line::default();
         for (i, piece) in self.out.chunks_mut(WIDTH).enumerate() {
             let at = self.first + i * WIDTH;
@@ -137,13 +118,5 @@ impl<T: Real> Loop for InOrder<'_, T> {
             }
             line.write(piece);
         }
-    }
-}
-
-/// `to` from products of `a` and `b`.
-#[inline(always)]
-fn multiply<T: Real>(to: &mut [Complex<T>], a: &[Complex<T>], b: &[Complex<T>]) {
-    for ((z, a), b) in to.iter_mut().zip(a).zip(b) {
-        *z = Complex::new(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
     }
 }

@@ -8,6 +8,7 @@ use crate::engine::fft::order::{InOrder, pieces};
 use crate::engine::fft::real_fft::RealFft;
 use crate::engine::fft::roots::Turns;
 use crate::engine::fft::rows::{Line, Numbers, Source, WIDTH};
+use crate::engine::fft::standing::centre;
 use crate::engine::real::Real;
 use crate::engine::simd::vectorised;
 use crate::error::Result;
@@ -65,6 +66,11 @@ impl<T: Real> PhysicalFft<T> {
         let n = self.core.len();
         same(n, input.len())?;
         same(n, output.len())?;
+        if n.is_multiple_of(2) && self.core.is_whole() {
+            self.core.run_to(&Numbers(input), output);
+            centre(output, &self.there);
+            return Ok(());
+        }
         let (shift, factors) = (n / 2, Some(&self.there));
         self.core.run(&Numbers(input), |frequencies| {
             pieces(output, |first, out| vectorised(InOrder { frequencies, first, shift, factors, out }));

@@ -6,6 +6,7 @@ use crate::engine::fft::core::Core;
 use crate::engine::fft::halves::{Backwards, Extended, Folded, Halves, Unpacked, Zeroed, packed};
 use crate::engine::fft::order::{InOrder, pieces};
 use crate::engine::fft::roots::Turns;
+use crate::engine::fft::standing::unfold;
 use crate::engine::real::Real;
 use crate::engine::simd::vectorised;
 use crate::error::Result;
@@ -35,7 +36,7 @@ pub struct RealFft<T> {
 
 #[derive(Debug)]
 enum Way<T> {
-    /// An even number of them as half as many complex ones.
+    /// An even number of them as half as many complex ones, put together by `−i·e^{−2πik/n}`.
     Even { core: Core<T>, roots: Turns<T> },
     /// An odd number of them as they are, and a way back if that is another one.
     Odd { core: Core<T>, back: Option<Core<T>> },
@@ -58,7 +59,8 @@ impl<T: Real> RealFft<T> {
         at_least_one(n)?;
         let half = n / 2;
         let way = if n.is_multiple_of(2) {
-            Way::Even { core: Core::new(half, half, butterflies), roots: Turns::roots(n, half.max(1)) }
+            let roots = Turns::roots_a_quarter_back(n, half.max(1));
+            Way::Even { core: Core::new(half, half, butterflies), roots }
         } else {
             let core = Core::new(n, half + 1, butterflies);
             let back = (!core.keeps_all()).then(|| Core::new(n, n, butterflies));
@@ -85,6 +87,10 @@ impl<T: Real> RealFft<T> {
         same(self.n, input.len())?;
         same(self.n / 2 + 1, output.len())?;
         match &self.way {
+            Way::Even { core, roots } if core.is_whole() => {
+                core.run_to(&packed(input), &mut output[..self.n / 2]);
+                unfold(output, roots, factors);
+            }
             Way::Even { core, roots } => core.run(&packed(input), |frequencies| {
                 Halves { frequencies, roots, factors }.to(output);
             }),

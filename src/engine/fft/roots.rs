@@ -1,5 +1,6 @@
 //! Roots of unity, and tables of turns.
 
+use crate::engine::fft::block::{BLOCK, Block, block, times};
 use crate::engine::fft::rows::{Line, WIDTH};
 use crate::engine::real::Real;
 use crate::num::{cos_pi, sin_pi};
@@ -30,8 +31,60 @@ pub(super) fn rounded<T: Real>(z: Complex<f64>) -> Complex<T> {
     Complex::new(T::of(z.re), T::of(z.im))
 }
 
-/// Up to so many numbers, turns stand in a table.
-const TABLE: usize = 1 << 16;
+/// Up to so many numbers, turns stand in a table: more would take the room in the nearest cache that the numbers need.
+const TABLE: usize = 1 << 14;
+
+/// Factors of numbers in a row.
+pub(super) trait Factors<T: Real> {
+    /// Those of the numbers from `k` on.
+    fn block(&self, k: usize) -> Block<T>;
+
+    /// That of number `k`.
+    fn one(&self, k: usize) -> Complex<T>;
+
+    /// The numbers from `k` on, times theirs.
+    #[inline(always)]
+    fn times(&self, z: &Block<T>, k: usize) -> Block<T> {
+        times(z, &self.block(k))
+    }
+
+    /// Number `k` times its own.
+    #[inline(always)]
+    fn times_one(&self, z: Complex<T>, k: usize) -> Complex<T> {
+        z * self.one(k)
+    }
+}
+
+/// Factors in a table.
+impl<T: Real> Factors<T> for &[Complex<T>] {
+    #[inline(always)]
+    fn block(&self, k: usize) -> Block<T> {
+        block(self, k)
+    }
+
+    #[inline(always)]
+    fn one(&self, k: usize) -> Complex<T> {
+        self[k]
+    }
+}
+
+/// [Turns] as products.
+pub(super) struct Products<'a, T>(&'a Turns<T>);
+
+impl<T: Real> Factors<T> for Products<'_, T> {
+    /// A block may reach behind its line, where the near ones go on.
+    #[inline(always)]
+    fn block(&self, k: usize) -> Block<T> {
+        let far = self.0.far(k / WIDTH);
+        let far = std::array::from_fn(|i| if i % 2 == 0 { far.re } else { far.im });
+        times(&block(&self.0.near_on, k % WIDTH), &far)
+    }
+
+    #[inline(always)]
+    fn one(&self, k: usize) -> Complex<T> {
+        self.0.at(k)
+    }
+}
 
 /// `f(k) = gain·unit(k)` for `0 ≤ k < n`, where `unit(j + k) = unit(j)·unit(k)`: a line of near ones times a product of two
 /// from short tables, instead of a sine and a cosine for each; all of them in a table, if they are few.
@@ -42,6 +95,8 @@ const TABLE: usize = 1 << 16;
 pub(super) struct Turns<T> {
     gain: T,
     near: Line<T>,
+    /// The same in turn, and as many behind them as a block can reach.
+    near_on: [Complex<T>; WIDTH + BLOCK],
     low: Vec<Complex<T>>,
     high: Vec<Complex<T>>,
     all: Vec<Complex<T>>,
@@ -54,6 +109,7 @@ impl<T: Real> Turns<T> {
         let mut turns = Self {
             gain: T::of(gain.norm()),
             near: Line::from_fn(|k| rounded(unit(k))),
+            near_on: std::array::from_fn(|k| rounded(unit(k))),
             low: (0..low).map(|j| rounded(unit(j * WIDTH))).collect(),
             high: (0..lines.div_ceil(low)).map(|j| rounded(gain * unit(j * low * WIDTH))).collect(),
             all: Vec::new(),
@@ -67,6 +123,11 @@ impl<T: Real> Turns<T> {
     /// The first `count` of `e^{−2πik/n}`.
     pub(super) fn roots(n: usize, count: usize) -> Self {
         Self::new(count, Complex::new(1.0, 0.0), |k| root(k, n))
+    }
+
+    /// The first `count` of `−i·e^{−2πik/n}`.
+    pub(super) fn roots_a_quarter_back(n: usize, count: usize) -> Self {
+        Self::new(count, Complex::new(0.0, -1.0), |k| root(k, n))
     }
 
     /// `|f(k)|`.
@@ -85,6 +146,12 @@ impl<T: Real> Turns<T> {
     #[inline(always)]
     pub(super) fn table(&self) -> Option<&[Complex<T>]> {
         if self.all.is_empty() { None } else { Some(&self.all) }
+    }
+
+    /// All of them as products.
+    #[inline(always)]
+    pub(super) fn products(&self) -> Products<'_, T> {
+        Products(self)
     }
 
     /// `f(k), f(k + 1), …`
