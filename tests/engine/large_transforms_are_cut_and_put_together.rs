@@ -5,8 +5,9 @@ use num_complex::Complex;
 use nyquist::axis::Axis;
 use nyquist::engine::fft::{Butterflies, Fft, PhysicalFft, PhysicalRealFft, RealFft};
 
-/// A power of two, one with other factors, rows of odd length, a prime, twice a prime, and an odd length in one piece.
-const LENGTHS: [usize; 6] = [1 << 18, 3 << 16, 131_184, 131_101, 262_202, 177_147];
+/// A power of two, one with other factors, rows of odd length, a prime, twice a prime, an odd length in one piece, and an
+/// even one that is no multiple of a block, with more factors than stand in a table.
+const LENGTHS: [usize; 7] = [1 << 18, 3 << 16, 131_184, 131_101, 262_202, 177_147, 44_100];
 
 /// Errors of single frequencies are like random numbers whose deviation is what the whole may have on the average: six of
 /// them.
@@ -67,6 +68,31 @@ fn single_precision_errs_by_its_own_rounding() {
         let errors = half.iter().zip(&exact).map(|(a, b)| Complex::new(f64::from(a.re), f64::from(a.im)) - b);
         let epsilon = f64::from(f32::EPSILON);
         assert!(size(errors) <= (rounding(n, epsilon) + epsilon) * size(exact.iter().copied()), "{n}");
+    }
+}
+
+#[test]
+fn units_and_phases_are_the_direct_sum_turned() {
+    for n in LENGTHS {
+        let axis = Axis::new(-0.3, 0.1, n).unwrap();
+        let values = complex_noise(n);
+        let real: Vec<f64> = values.iter().map(|z| z.re).collect();
+        let whole: Vec<_> = real.iter().map(|&x| Complex::from(x)).collect();
+        let (mut out, mut half) = (vec![Complex::ZERO; n], vec![Complex::ZERO; n / 2 + 1]);
+        PhysicalFft::new(axis).forward(&values, &mut out).unwrap();
+        PhysicalRealFft::new(axis).forward(&real, &mut half).unwrap();
+        let turn = |k: f64| 0.1 * Complex::cis(2.0 * std::f64::consts::PI * k * 3.0 / n as f64);
+        // the factors are within 9ε, as is the turn that they are compared with
+        let bound = DEVIATIONS * (rounding(n, f64::EPSILON) + 18.0 * f64::EPSILON) * 0.1 * size(values.iter().copied());
+        for p in [0, 1, 9, n / 3, n / 2 - 1, n / 2, n / 2 + 1, n - 2, n - 1] {
+            let k = p as f64 - (n / 2) as f64;
+            let wanted = direct(&values, (p + n - n / 2) % n) * turn(k);
+            assert!((out[p] - wanted).norm() <= bound, "{n} at {k}");
+            if p <= n / 2 {
+                let wanted = direct(&whole, p) * turn(p as f64);
+                assert!((half[p] - wanted).norm() <= bound, "{n} at {p}, real");
+            }
+        }
     }
 }
 
