@@ -3,6 +3,7 @@
 use crate::error::Result;
 use crate::pattern::radical::{PRIMES, base, inverse};
 use crate::pattern::scrambling::{Places, Scrambling, binary, key, nested};
+use crate::pattern::sobol::Sobol;
 use crate::pattern::{Pattern, countable};
 
 /// Point `i` is `(Φ₂(i), Φ₃(i), Φ₅(i), …)`, radical inverses in the first primes (Halton 1960).
@@ -83,7 +84,11 @@ impl<const D: usize> Pattern<D> for Halton {
 
     fn points(&self, seed: u64) -> Vec<[f64; D]> {
         const { assert!(D <= PRIMES.len(), "a prime for each dimension") };
+        // base 2 is Sobol's first dimension, made all at once
+        let sobol = Sobol::new(self.count).expect("as many points as were allowed here").scrambled(self.scrambling);
+        let first: Vec<[f64; 1]> = sobol.points(seed);
         let coordinates: [_; D] = std::array::from_fn(|d| self.coordinate(PRIMES[d], key(seed, d)));
-        (0..self.count as u32).map(|i| std::array::from_fn(|d| coordinates[d](i))).collect()
+        let point = |(i, [x]): (u32, [f64; 1])| std::array::from_fn(|d| if d == 0 { x } else { coordinates[d](i) });
+        (0..).zip(first).map(point).collect()
     }
 }

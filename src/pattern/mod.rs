@@ -19,6 +19,7 @@
 
 pub mod best_candidate;
 pub mod blue_noise;
+mod board;
 mod buckets;
 pub mod catalog;
 pub mod cells;

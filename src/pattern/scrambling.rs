@@ -31,6 +31,7 @@ pub(crate) fn key(seed: u64, dimension: usize) -> u64 {
 }
 
 /// 32 binary digits after the point, the first in the highest bit, as a number from `[0, 1)`.
+#[inline]
 pub(crate) fn binary(digits: u32, scrambling: Scrambling, key: u64) -> f64 {
     match scrambling {
         Scrambling::None => f64::from(digits) / (1u64 << 32) as f64,
@@ -41,24 +42,28 @@ pub(crate) fn binary(digits: u32, scrambling: Scrambling, key: u64) -> f64 {
 
 /// Owen's scrambling in base 2 of 32 digits, as 64 digits in a word.
 ///
-/// The digits that stand before a place choose a node of a binary tree, and each of its nodes a random bit that flips the
-/// digit or leaves it. The words of a stream give the bits of six levels, 63 nodes, at a time. Below level 32 no two
-/// points share a node, so that one more word gives all digits that are left. Nothing is approximated: the flips of any
-/// two nodes are different bits of the stream (Burley 2020 approximates the tree by a hash that mixes upwards).
-fn nested_binary(digits: u32, key: u64) -> u64 {
-    let digits = u64::from(digits);
-    let mut flips = 0;
-    for level in [0, 6, 12, 18, 24, 30] {
-        let depth = if level < 30 { 6 } else { 2 };
-        // the path to here, with a leading one, names the subtree; the path within it, likewise, the node
-        let flip_bits = word(key, (1 << level) | (digits >> (32 - level)));
-        let within = (1 << depth) | ((digits >> (32 - level - depth)) & ((1 << depth) - 1));
-        for k in 0..depth {
-            flips |= ((flip_bits >> (within >> (depth - k))) & 1) << (31 - level - k);
-        }
+/// The digits before a place lead to a node of a binary tree, and every node has a random bit that flips the digit there
+/// or leaves it. Behind the root, and behind every one, a chain of zeros goes down the tree; each chain has a word of its
+/// own, whose bit at a place is that of the chain's node there. So no two nodes share a bit, nothing is approximated
+/// (Burley 2020 approximates the tree by a hash that mixes upwards), and a number needs one word more than it has ones.
+pub(crate) fn nested_binary(digits: u32, key: u64) -> u64 {
+    let (mut path, mut scrambled, mut rest) = (0, word(key, 0), digits);
+    while rest > 0 {
+        let one = (1 << 31) >> rest.leading_zeros();
+        path |= one;
+        scrambled = behind_one(scrambled, one, word(key, path.into()));
+        rest ^= one;
     }
-    let tail = word(key, (1 << 32) | digits);
-    ((digits ^ flips) << 32) | (tail >> 32)
+    scrambled
+}
+
+/// The scrambled digits of a number whose last one is `one`, from those of its parent, the same number without that one:
+/// the parent's as far as there, the one flipped, and behind it those of the chain that begins there.
+#[inline]
+pub(crate) fn behind_one(parent: u64, one: u32, chain: u64) -> u64 {
+    let one = u64::from(one) << 32;
+    let behind = one - 1;
+    ((parent ^ one) & !behind) | (chain & behind)
 }
 
 /// Permutations for each place of numbers in a base: [`Scrambling::Digits`].
@@ -66,6 +71,8 @@ fn nested_binary(digits: u32, key: u64) -> u64 {
 pub(crate) struct Places {
     base: u32,
     places: Vec<Vec<u32>>,
+    /// For each place, the power of the base and the number that zeros make from there on.
+    zeros: Vec<(u64, u64)>,
 }
 
 impl Places {
@@ -77,18 +84,26 @@ impl Places {
             places.push(permutation(word(key, places.len() as u64), base as usize));
             power *= u64::from(base);
         }
-        Self { base, places }
+        let mut zeros = vec![(1, 0)];
+        for permutation in places.iter().rev() {
+            let (power, number) = zeros[zeros.len() - 1];
+            zeros.push((power * u64::from(base), u64::from(permutation[0]) * power + number));
+        }
+        zeros.reverse();
+        Self { base, places, zeros }
     }
 
     /// The radical inverse of `index` with permuted digits, the zeros behind its digits too.
     pub(crate) fn inverse(&self, index: u32) -> f64 {
-        let (mut numerator, mut denominator, mut rest) = (0u64, 1u64, index);
-        for permutation in &self.places {
-            numerator = numerator * u64::from(self.base) + u64::from(permutation[(rest % self.base) as usize]);
-            denominator *= u64::from(self.base);
+        let (mut numerator, mut place, mut rest) = (0, 0, index);
+        while rest > 0 {
+            let digit = self.places[place][(rest % self.base) as usize];
+            numerator = numerator * u64::from(self.base) + u64::from(digit);
             rest /= self.base;
+            place += 1;
         }
-        numerator as f64 / denominator as f64
+        let (power, zeros) = self.zeros[place];
+        (numerator * power + zeros) as f64 / self.zeros[0].0 as f64
     }
 }
 

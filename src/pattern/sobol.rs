@@ -1,8 +1,9 @@
 //! Sobol's sequence.
 
 use crate::error::{Result, within};
+use crate::num::random;
 use crate::pattern::directions::{COLUMNS, DIMENSIONS};
-use crate::pattern::scrambling::{Scrambling, binary, key};
+use crate::pattern::scrambling::{Scrambling, behind_one, binary, key, nested_binary};
 use crate::pattern::{Pattern, countable};
 
 /// The digital sequence in base 2 of Sobol' (1967), with the direction numbers of Joe and Kuo (2008) in 32 dimensions.
@@ -82,21 +83,69 @@ impl<const D: usize> Pattern<D> for Sobol {
     fn points(&self, seed: u64) -> Vec<[f64; D]> {
         const { assert!(D <= DIMENSIONS, "direction numbers for each dimension") };
         let keys: [u64; D] = std::array::from_fn(|d| key(seed, d));
-        // from i to i + 1 the last ones of i and the zero before them turn over
-        let turn: [[u32; 32]; D] = std::array::from_fn(|d| {
-            let mut sum = 0;
-            COLUMNS[d].map(|column| {
-                sum ^= column;
-                sum
-            })
-        });
-        let mut state = [0u32; D];
-        let next = |i: u32| {
-            let point = std::array::from_fn(|d| binary(state[d], self.scrambling, keys[d]));
-            let ones = i.trailing_ones() as usize;
-            state.iter_mut().zip(&turn).for_each(|(s, turn)| *s ^= turn[ones]);
-            point
-        };
-        (0..self.count as u32).map(next).collect()
+        // told apart here, so that the inner loops need not
+        match self.scrambling {
+            Scrambling::None => each(self.count, |digits, d| binary(digits, Scrambling::None, keys[d])),
+            Scrambling::Digits => each(self.count, |digits, d| binary(digits, Scrambling::Digits, keys[d])),
+            Scrambling::Owen => nested(self.count, keys),
+        }
     }
+}
+
+/// How many points are made together: the digits of an index are those of its low bits and of its high bits, added.
+const CHUNK: usize = 64;
+
+/// The digits of the first points.
+fn first<const D: usize>() -> [[u32; D]; CHUNK] {
+    std::array::from_fn(|i| std::array::from_fn(|d| digits(i as u32, d)))
+}
+
+/// The first `count` points, whose coordinates are functions of their digits and dimension.
+fn each<const D: usize>(count: usize, coordinate: impl Fn(u32, usize) -> f64) -> Vec<[f64; D]> {
+    let low: [[u32; D]; CHUNK] = first();
+    let mut points = Vec::with_capacity(count);
+    for start in (0..count).step_by(CHUNK) {
+        let high: [u32; D] = std::array::from_fn(|d| digits(start as u32, d));
+        let point = |low: &[u32; D]| std::array::from_fn(|d| coordinate(high[d] ^ low[d], d));
+        points.extend(low[..CHUNK.min(count - start)].iter().map(point));
+    }
+    points
+}
+
+/// The first `count` points with Owen's scrambling, one word each for a coordinate.
+///
+/// The matrices are triangular: the indices `2^k ≤ i < 2^{k+1}` are those whose last one is the digit `k`. The parent of
+/// each of them in the tree of scrambled numbers is a point of lower index, which is there already.
+fn nested<const D: usize>(count: usize, keys: [u64; D]) -> Vec<[f64; D]> {
+    let low: [[u32; D]; CHUNK] = first();
+    let start = low[..count.min(CHUNK)].iter();
+    let mut words: Vec<[u64; D]> = start.map(|low| std::array::from_fn(|d| nested_binary(low[d], keys[d]))).collect();
+    words.resize(count, [0; D]);
+    for k in CHUNK.ilog2()..count.next_power_of_two().ilog2() {
+        let (size, one) = (1 << k, (1 << 31) >> k);
+        let (done, new) = words[..count.min(2 * size)].split_at_mut(size);
+        let turns: [usize; D] = std::array::from_fn(|d| single(k, d) as usize ^ size);
+        for (chunk, start) in new.chunks_mut(CHUNK).zip((0..).step_by(CHUNK)) {
+            for (d, (turn, key)) in turns.into_iter().zip(keys).enumerate() {
+                let high = digits((size + start) as u32, d);
+                let parents = &done[(start ^ turn) & !(CHUNK - 1)..][..CHUNK];
+                for (j, (word, low)) in chunk.iter_mut().zip(&low).enumerate() {
+                    let parent = parents[(j ^ turn) % CHUNK][d];
+                    word[d] = behind_one(parent, one, random::word(key, (high ^ low[d]).into()));
+                }
+            }
+        }
+    }
+    words.into_iter().map(|point| point.map(random::unit)).collect()
+}
+
+/// The index whose only digit that is a one is number `place`: a column of the inverse of the matrix, from below.
+fn single(place: u32, dimension: usize) -> u32 {
+    let (mut index, mut rest) = (0, (1u32 << 31) >> place);
+    while rest > 0 {
+        let last = 31 - rest.trailing_zeros();
+        index |= 1 << last;
+        rest ^= COLUMNS[dimension][last as usize];
+    }
+    index
 }

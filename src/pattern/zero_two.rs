@@ -2,6 +2,7 @@
 
 use crate::error::Result;
 use crate::pattern::scrambling::{Scrambling, binary, key};
+use crate::pattern::sobol::Sobol;
 use crate::pattern::{Pattern, countable};
 
 /// Van der Corput's sequence beside the second dimension of Sobol's, with random digits: a (0, 2)-sequence.
@@ -55,17 +56,13 @@ fn van_der_corput(index: u32) -> u32 {
     index.reverse_bits()
 }
 
-/// The digits multiplied by Pascal's triangle modulo 2, mirrored: each column is its neighbour added to its own shift.
+/// The digits multiplied by Pascal's triangle modulo 2, mirrored.
+///
+/// `C(k, j)` is odd where the ones of `j` are ones of `k` (Lucas 1878). So digit `j` is the sum of all bits `k` above it in
+/// that order, and the sums over all of them are made one digit of `k` after the other.
 fn pascal(index: u32) -> u32 {
-    let (mut rest, mut column, mut sum) = (index, 1u32 << 31, 0);
-    while rest > 0 {
-        if rest & 1 == 1 {
-            sum ^= column;
-        }
-        rest >>= 1;
-        column ^= column >> 1;
-    }
-    sum
+    let halves = [(1, 0x5555_5555), (2, 0x3333_3333), (4, 0x0f0f_0f0f), (8, 0x00ff_00ff), (16, 0x0000_ffff)];
+    halves.into_iter().fold(index, |sum, (shift, mask)| sum ^ ((sum >> shift) & mask)).reverse_bits()
 }
 
 impl Pattern<2> for ZeroTwo {
@@ -83,6 +80,6 @@ impl Pattern<2> for ZeroTwo {
     }
 
     fn points(&self, seed: u64) -> Vec<[f64; 2]> {
-        (0..self.count as u32).map(|i| self.sample(i, seed)).collect()
+        Sobol::new(self.count).expect("as many points as were allowed here").scrambled(self.scrambling).points(seed)
     }
 }

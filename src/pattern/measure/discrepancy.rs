@@ -2,7 +2,7 @@
 
 use crate::error::{Result, all_finite, within};
 use crate::pattern::measure::in_cube;
-use crate::pattern::measure::kinetic::Kinetic;
+use crate::pattern::measure::sweep::Sweep;
 
 /// The star discrepancy of points on `[0, 1]`, `sup_x |#{x_i < x}/N − x|`, exact to rounding (V18):
 /// `1/(2N) + max |x_(i) − (2i − 1)/(2N)|` over the sorted points (Niederreiter 1992, theorem 2.6).
@@ -34,7 +34,7 @@ pub fn star_discrepancy_line(points: &[f64]) -> Result<f64> {
 ///
 /// The supremum is approached at boxes whose sides go through points: with too many points where the box is closed, too
 /// few where it is open. Sweeping `x`, `#/N − x·y_j` is a line in `x` for each `y_j`, and each point shifts the lines of
-/// all larger `y_j`: the highest line is kept in a kinetic tree, which makes a logarithm of the textbook's factor `N`
+/// all larger `y_j`: the worst boxes are kept in a kinetic tree, which makes a logarithm of the textbook's factor `N`
 /// (Dobkin, Eppstein, Mitchell, *Computing the discrepancy with applications to supersampling patterns*, 1996).
 ///
 /// ```
@@ -49,24 +49,20 @@ pub fn star_discrepancy_line(points: &[f64]) -> Result<f64> {
 pub fn star_discrepancy(points: &[[f64; 2]]) -> Result<f64> {
     let mut sorted = in_cube(points)?.to_vec();
     let n = sorted.len() as f64;
-    let mut ys: Vec<f64> = sorted.iter().map(|p| p[1]).collect();
+    let mut ys: Vec<f64> = sorted.iter().map(|p| p[1]).chain([1.0]).collect();
     ys.sort_unstable_by(f64::total_cmp);
+    ys.dedup();
     sorted.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
-    // in units of points: a surplus #{x_i ≤ x, y_i ≤ y_j} − N·x·y_j, a deficit N·x·y_j − #{x_i < x, y_i < y_j}
-    let mut surplus = Kinetic::new(ys.iter().map(|y| -n * y));
-    let mut deficit = Kinetic::new(ys.iter().chain(&[1.0]).map(|y| n * y).collect::<Vec<_>>().into_iter());
+    let mut sweep = Sweep::new(ys.iter().map(|y| n * y), n);
     let mut worst: f64 = 0.0;
     for column in sorted.chunk_by(|a, b| a[0] == b[0]) {
-        let x = column[0][0];
-        deficit.advance(x);
-        worst = worst.max(deficit.highest());
-        surplus.advance(x);
+        sweep.advance(column[0][0]);
+        worst = worst.max(sweep.deficit());
         for [_, y] in column {
-            surplus.shift_from(ys.partition_point(|other| other < y), 1.0);
-            deficit.shift_from(ys.partition_point(|other| other <= y), -1.0);
+            sweep.add(ys.partition_point(|other| other < y));
         }
-        worst = worst.max(surplus.highest());
+        worst = worst.max(sweep.surplus());
     }
-    deficit.advance(1.0);
-    Ok(worst.max(deficit.highest()) / n)
+    sweep.advance(1.0);
+    Ok(worst.max(sweep.deficit()) / n)
 }

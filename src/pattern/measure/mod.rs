@@ -4,10 +4,10 @@ pub mod discrepancy;
 pub mod distance;
 pub mod elementary;
 pub mod integration;
-mod kinetic;
 pub mod periodogram;
 pub mod radial;
 pub mod summary;
+mod sweep;
 pub mod whiteness;
 
 use crate::error::{Error, Result};
