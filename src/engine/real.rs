@@ -26,16 +26,29 @@ pub trait Real:
 {
     /// The nearest number to `value`.
     fn of(value: f64) -> Self;
+
+    /// The whole part, as near as an `i32` can be; zero for NaN.
+    fn whole(self) -> i32;
 }
 
 impl Real for f64 {
     fn of(value: f64) -> Self {
         value
     }
+
+    #[inline(always)]
+    fn whole(self) -> i32 {
+        self as i32
+    }
 }
 
 impl Real for f32 {
     fn of(value: f64) -> Self {
         value as Self
+    }
+
+    #[inline(always)]
+    fn whole(self) -> i32 {
+        self as i32
     }
 }
