@@ -34,6 +34,10 @@ pub struct BestCandidate {
     torus: bool,
 }
 
+/// How many candidates are looked at together: their buckets are far apart, and memory need not be waited for one after the
+/// other.
+const TOGETHER: u32 = 16;
+
 impl BestCandidate {
     /// How many candidates a point has if nothing else is asked for.
     pub const CANDIDATES: u32 = 10;
@@ -77,14 +81,21 @@ impl Pattern<2> for BestCandidate {
     fn points(&self, seed: u64) -> Vec<[f64; 2]> {
         let key = bits(seed, 0, 0);
         let mut chosen = Buckets::new(self.torus);
+        let mut candidates = vec![([0.0; 2], 0.0); self.candidates.min(TOGETHER) as usize];
         for i in 0..self.count as u64 {
             let (mut best, mut farthest) = ([0.0; 2], f64::NEG_INFINITY);
-            for c in 0..u64::from(self.candidates) {
-                let at = 2 * (i * u64::from(self.candidates) + c);
-                let candidate = [unit(word(key, at)), unit(word(key, at + 1))];
-                let distance = chosen.nearest(candidate, farthest);
-                if distance > farthest {
-                    (best, farthest) = (candidate, distance);
+            for first in (0..self.candidates).step_by(TOGETHER as usize) {
+                let at = 2 * (i * u64::from(self.candidates) + u64::from(first));
+                let now = candidates.iter_mut().take((self.candidates - first) as usize);
+                for ((candidate, inside), at) in now.zip((at..).step_by(2)) {
+                    *candidate = [unit(word(key, at)), unit(word(key, at + 1))];
+                    *inside = chosen.nearest_inside(*candidate);
+                }
+                for &(candidate, inside) in candidates.iter().take((self.candidates - first) as usize) {
+                    let distance = chosen.nearest(candidate, inside, farthest);
+                    if distance > farthest {
+                        (best, farthest) = (candidate, distance);
+                    }
                 }
             }
             chosen.insert(best);

@@ -45,8 +45,8 @@ pub const JAMMED: f64 = 0.54707;
 /// Rounds after the first at most: beyond, the parts would be smaller than rounding.
 const MOST_ROUNDS: u32 = 16;
 
-/// Twice the darts of the first round for every square of side `radius/√2`; every later one has half a dart for each part that is
-/// open. Fewer leave more parts to quarter, more miss; the least time is near these.
+/// Twice the darts that the first round throws for every square of side `radius/√2`; every later round throws one for every
+/// two parts that are open. Fewer leave more parts to look at, more miss; the least time is near these.
 const FIRST: u64 = 5;
 
 impl PoissonDisk {
@@ -82,7 +82,7 @@ impl PoissonDisk {
     }
 
     /// The same, but stopped after so many rounds beyond the first: not maximal, gaps are left that darts could still hit.
-    /// The first throws ten darts for every `radius²`, and 16 more are all.
+    /// The first throws five darts for every `radius²`; 16 more are all.
     #[must_use]
     pub fn with_rounds(self, rounds: u32) -> Self {
         Self { rounds: rounds.min(MOST_ROUNDS), ..self }

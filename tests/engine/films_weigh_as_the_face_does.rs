@@ -42,7 +42,9 @@ fn every_kernel_is_itself_to_rounding() {
         let kernel = catalog::by_name(name).unwrap();
         let face = Film::new(grid, &*kernel).unwrap().develop(&samples).unwrap();
         let weights = face.weights().values();
-        let known = |i: usize| [weights[i], weights[i] * face.planes()[0].values()[i], weights[i] * face.planes()[1].values()[i]];
+        let known = |i: usize| {
+            [weights[i], weights[i] * face.planes()[0].values()[i], weights[i] * face.planes()[1].values()[i]]
+        };
         // at most 36·12 samples reach a pixel; a weight is off by the polynomials' error and by what the rounding of
         // its place (half an ulp of 150 and of the reach beyond it) does to the steepest kernel, of slope 2; sums round
         // once a term, and the quotient and the product here three times
@@ -91,7 +93,8 @@ fn a_box_counts_what_is_in_the_pixel() {
 
 #[test]
 fn what_cannot_be_developed_is_refused() {
-    let new = |size, radius, kernel: fn(f64) -> f64| film::Film::<f32>::new(size, radius, kernel).map_err(|e| e.to_string());
+    let new =
+        |size, radius, kernel: fn(f64) -> f64| film::Film::<f32>::new(size, radius, kernel).map_err(|e| e.to_string());
     assert!(new([0, 3], 2.0, |_| 1.0).unwrap_err().contains("pixels of a film"));
     assert!(new([1 << 40, 1 << 40], 2.0, |_| 1.0).unwrap_err().contains("the number of pixels of a film"));
     assert!(new([2, 2], 1.3, |_| 1.0).unwrap_err().contains("radius is not"));
