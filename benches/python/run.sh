@@ -6,7 +6,7 @@ cd "$(dirname "$0")"
 rounds=15
 if [ "${1:-}" = --rounds ]; then rounds=$2; shift 2; fi
 jobs=("$@")
-if [ ${#jobs[@]} = 0 ]; then jobs=(fft plane figures); fi
+if [ ${#jobs[@]} = 0 ]; then jobs=(fft plane points film figures); fi
 
 # what Python cannot bring along: FFTW itself stands in its wheel, libraries of the system are named here
 test -d venv || python3 -m venv venv
@@ -16,7 +16,9 @@ cargo build --locked --release --package peers --package nyquist
 target=${CARGO_TARGET_DIR:-../../target}
 NYQUIST_SHIM=$(realpath "$target/release/libshim.so")
 NYQUIST=$(realpath "$target/release/nyquist")
-export NYQUIST_SHIM NYQUIST
+# Mitsuba compiles with LLVM: that of Rust is at hand
+DRJIT_LIBLLVM_PATH=${DRJIT_LIBLLVM_PATH:-$(find "$(rustc --print sysroot)/lib" -maxdepth 1 -name 'libLLVM.so*' | head -n 1)}
+export NYQUIST_SHIM NYQUIST DRJIT_LIBLLVM_PATH
 "$target/release/peers" --machine
 for job in "${jobs[@]}"; do venv/bin/python "$job.py" "$rounds"; done
 "$target/release/peers" --report

@@ -4,7 +4,9 @@
 //! pointers come from NumPy arrays of the stated lengths, in C order, which the caller keeps alive during the call.
 
 mod fft;
+mod film;
 mod plane;
+mod points;
 
 use std::sync::{LazyLock, Mutex};
 

@@ -23,8 +23,9 @@ use crate::engine::simd::{Loop, vectorised};
 use crate::error::{Error, Result};
 use crate::parallel;
 
-/// Light at a place.
+/// Light at a place: `2 + C` numbers, one after the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
 pub struct Sample<T, const C: usize> {
     /// Where `(x, y)`, in pixels: pixel `(i, j)` is `i ≤ x < i + 1`, `j ≤ y < j + 1`.
     pub at: [T; 2],
