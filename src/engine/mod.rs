@@ -4,4 +4,7 @@
 
 pub mod fft;
 pub mod real;
+pub mod resize;
 mod simd;
+
+pub use simd::Arithmetic;
