@@ -46,6 +46,17 @@ pub(super) fn with_vectors<T: Task>(task: T) -> T::Output {
     Arch::new().dispatch(task)
 }
 
+/// Asks for the lines of the cache that hold these values, a hint to the processor where there is such an instruction.
+#[inline(always)]
+pub(super) fn prefetch<T>(values: &[T]) {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(sse) = pulp::core_arch::x86::Sse::try_new() {
+        for line in values.chunks(64 / size_of::<T>()) {
+            sse._mm_prefetch::<{ std::arch::x86_64::_MM_HINT_T1 }>(line.as_ptr().cast());
+        }
+    }
+}
+
 /// Numbers that processors have vectors of.
 pub trait Lanes: Real {
     /// A vector.

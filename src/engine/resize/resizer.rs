@@ -4,11 +4,11 @@ use crate::engine::resize::code::Code;
 use crate::engine::resize::light::Light;
 use crate::engine::resize::room::{Room, Rooms};
 use crate::engine::resize::strips::{Load, Meaning, Store, Themselves};
-use crate::engine::resize::sums::{LEAST, Sums};
-use crate::engine::resize::taps::{Blocks, Taps};
+use crate::engine::resize::sums::{LEAST, Lines, Sums};
+use crate::engine::resize::taps::{Blocks, SIDE, Taps};
 use crate::engine::resize::turn::Turn;
 use crate::engine::resize::view::{Layout, View, ViewMut};
-use crate::engine::simd::{Arithmetic, Lanes, vectorised, with_vectors};
+use crate::engine::simd::{Arithmetic, Lanes, prefetch, vectorised, with_vectors};
 use crate::error::{Error, Result};
 use crate::parallel;
 use std::ops::Range;
@@ -131,6 +131,12 @@ impl Resizer<f32> {
     }
 }
 
+/// The `i`-th of `n` parts of a range.
+fn share(range: &Range<i64>, i: usize, n: usize) -> Range<i64> {
+    let at = |i: usize| range.start + (range.end - range.start) * i as i64 / n as i64;
+    at(i)..at(i + 1)
+}
+
 /// Some new rows.
 struct Job<'a, C, M: Meaning<C>> {
     plan: &'a Resizer<M::Sum>,
@@ -149,16 +155,25 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
         (0..new).step_by(width).map(move |x| x..(x + width).min(new))
     }
 
-    /// Sixteen new rows at a time, the last time perhaps fewer.
-    fn groups<'t>(&self, target: &'t mut [C]) -> impl Iterator<Item = (Range<usize>, &'t mut [C])> + use<'t, C, M> {
+    /// So many new rows at a time, the last time perhaps fewer.
+    fn groups<'t>(&self, rows: usize, target: &'t mut [C]) -> impl Iterator<Item = (Range<usize>, &'t mut [C])> + use<'t, C, M> {
         let end = self.rows.end;
-        let starts = self.rows.clone().step_by(ROWS);
-        starts.map(move |y| y..(y + ROWS).min(end)).zip(target.chunks_mut(ROWS * self.stride))
+        let starts = self.rows.clone().step_by(rows);
+        starts.map(move |y| y..(y + rows).min(end)).zip(target.chunks_mut(rows * self.stride))
     }
 
     fn load(&self, rows: Range<i64>, columns: Range<i64>, to: &mut [M::Sum], stride: usize) {
         let (across, down) = (&self.plan.across.taps, &self.plan.down.taps);
         vectorised(Load { meaning: self.meaning, view: self.source, across, down, rows, columns, to, stride });
+    }
+
+    /// Lets old rows come while others are summed.
+    fn prefetch(&self, rows: Range<i64>, columns: Range<i64>) {
+        let n = self.source.layout.row() as i64;
+        let [first, last] = [columns.start, columns.end].map(|i| i.clamp(0, n) as usize);
+        for y in rows.filter_map(|y| self.plan.down.taps.place(y)) {
+            prefetch(&self.source.row(y)[first..last]);
+        }
     }
 
     fn store(&self, from: &[M::Sum], stride: usize, width: usize, rows: usize, to: &mut [C]) {
@@ -169,39 +184,35 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
         let (channels, strip, down) = (self.source.layout.channels, strip::<M::Sum>(), &self.plan.down);
         for panel in self.panels() {
             let reads = self.plan.across.reads(&panel);
-            let (start, width) = (reads.start * channels as i64, panel.len() * channels);
-            let strips = ((reads.end - reads.start) as usize * channels).div_ceil(strip);
-            let columns = room.columns.numbers(strips * strip * ROWS);
-            let line = panel.len().next_multiple_of(ROWS) * channels + LEAST;
+            let start = reads.start * channels as i64;
+            let padded = ((reads.end - reads.start) as usize * channels).next_multiple_of(strip);
+            let (stride, line) = (padded + LEAST, panel.len().next_multiple_of(ROWS) * channels + LEAST);
+            let columns = room.columns.numbers(padded * ROWS);
             let finished = room.rows.numbers(ROWS * line);
-            for (group, target) in self.groups(target) {
+            for (group, target) in self.groups(ROWS, target) {
                 let reads_down = down.reads(&group);
-                let lines = room.lines.numbers((reads_down.end - reads_down.start) as usize * strip);
+                let lines = room.lines.numbers((reads_down.end - reads_down.start) as usize * stride);
                 let sums = room.sums.numbers(ROWS * strip.max(ROWS * channels));
+                self.load(reads_down.clone(), start..start + padded as i64, lines, stride);
+                let strips = padded / strip;
+                let after = group.end..(group.end + ROWS).min(self.rows.end);
+                let coming = reads_down.end..down.reads(&after).end.max(reads_down.end);
                 for (s, columns) in columns.chunks_mut(strip * ROWS).enumerate() {
-                    let at = start + (s * strip) as i64;
-                    self.load(reads_down.clone(), at..at + strip as i64, lines, strip);
-                    with_vectors(Sums {
-                        blocks: down,
-                        new: group.clone(),
-                        fused: self.plan.fused,
-                        lines,
-                        first: reads_down.start,
-                        stride: strip,
-                        width: strip,
-                        to: sums,
-                        to_stride: strip,
-                    });
+                    let at = s * strip;
+                    self.prefetch(share(&coming, s, strips), start..start + padded as i64);
+                    let lines = Lines { numbers: &lines[at..], first: reads_down.start, stride };
+                    self.sums(down, group.clone(), lines, strip, sums, strip);
                     vectorised(Turn { from: sums, stride: strip, rows: ROWS, columns: strip, to: columns, to_stride: ROWS });
                 }
                 self.across(panel.clone(), reads.start, columns, sums, finished, line);
+                let width = panel.len() * channels;
                 self.store(finished, line, width, group.len(), &mut target[panel.start * channels..]);
             }
         }
     }
 
     fn across_first(&self, target: &mut [C], room: &mut Room<M::Sum>) {
-        let (channels, strip, down) = (self.source.layout.channels, strip::<M::Sum>(), &self.plan.down);
+        let (channels, down) = (self.source.layout.channels, &self.plan.down);
         let reads_down = down.reads(&self.rows);
         let blocks = ((reads_down.end - reads_down.start) as usize).div_ceil(ROWS);
         for panel in self.panels() {
@@ -209,9 +220,10 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
             let at = reads.start * channels as i64..reads.end * channels as i64;
             let (count, width) = ((at.end - at.start) as usize, panel.len() * channels);
             let padded = count.next_multiple_of(LEAST);
-            let line = (panel.len().next_multiple_of(ROWS) * channels).next_multiple_of(strip) + LEAST;
+            let all = panel.len().next_multiple_of(ROWS) * channels;
+            let line = all + LEAST;
             let finished = room.rows.numbers(blocks * ROWS * line);
-            let sums = room.sums.numbers(ROWS * strip.max(ROWS * channels));
+            let sums = room.sums.numbers(ROWS * ROWS * channels.max(all / ROWS));
             let lines = room.lines.numbers(ROWS * padded);
             let columns = room.columns.numbers(padded * ROWS);
             for (b, finished) in finished.chunks_mut(ROWS * line).enumerate() {
@@ -220,24 +232,24 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
                 vectorised(Turn { from: lines, stride: padded, rows: ROWS, columns: padded, to: columns, to_stride: ROWS });
                 self.across(panel.clone(), reads.start, columns, sums, finished, line);
             }
-            for (group, target) in self.groups(target) {
-                for at in (0..width).step_by(strip) {
-                    with_vectors(Sums {
-                        blocks: down,
-                        new: group.clone(),
-                        fused: self.plan.fused,
-                        lines: &finished[at..],
-                        first: reads_down.start,
-                        stride: line,
-                        width: strip,
-                        to: sums,
-                        to_stride: strip,
-                    });
-                    let to = &mut target[panel.start * channels + at..];
-                    self.store(sums, strip, strip.min(width - at), group.len(), to);
-                }
+            for (group, target) in self.groups(SIDE, target) {
+                let lines = Lines { numbers: finished, first: reads_down.start, stride: line };
+                self.sums(down, group.clone(), lines, all, sums, all);
+                self.store(sums, all, width, group.len(), &mut target[panel.start * channels..]);
             }
         }
+    }
+
+    fn sums(
+        &self,
+        blocks: &Blocks<M::Sum>,
+        new: Range<usize>,
+        lines: Lines<'_, M::Sum>,
+        width: usize,
+        to: &mut [M::Sum],
+        to_stride: usize,
+    ) {
+        with_vectors(Sums { blocks, new, fused: self.plan.fused, lines, width, to, to_stride });
     }
 
     /// The new columns of a panel, from the old ones of sixteen rows, to sixteen rows `line` apart.
@@ -245,17 +257,8 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
         let channels = self.source.layout.channels;
         let wide = ROWS * channels;
         for x in panel.clone().step_by(ROWS) {
-            with_vectors(Sums {
-                blocks: &self.plan.across,
-                new: x..(x + ROWS).min(panel.end),
-                fused: self.plan.fused,
-                lines: columns,
-                first,
-                stride: wide,
-                width: wide,
-                to: sums,
-                to_stride: wide,
-            });
+            let lines = Lines { numbers: columns, first, stride: wide };
+            self.sums(&self.plan.across, x..(x + ROWS).min(panel.end), lines, wide, sums, wide);
             let to = &mut rows[(x - panel.start) * channels..];
             vectorised(Turn { from: sums, stride: ROWS, rows: wide, columns: ROWS, to, to_stride: line });
         }

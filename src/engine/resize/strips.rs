@@ -48,7 +48,8 @@ impl<C: Copy + Sync, M: Meaning<C>> Loop for Load<'_, C, M> {
     fn run(self) {
         let Self { meaning, view, across, down, rows, columns, to, stride } = self;
         let (width, channels) = (view.layout.row() as i64, view.layout.channels as i64);
-        let inside = columns.start.clamp(0, width)..columns.end.clamp(0, width);
+        let first = 0.clamp(columns.start, columns.end);
+        let inside = first..width.clamp(first, columns.end);
         for (row, to) in rows.zip(to.chunks_mut(stride)) {
             let to = &mut to[..(columns.end - columns.start) as usize];
             let Some(y) = down.place(row) else {
@@ -60,8 +61,10 @@ impl<C: Copy + Sync, M: Meaning<C>> Loop for Load<'_, C, M> {
                 meaning.widen(&from[columns.start as usize..][..to.len()], to);
                 continue;
             }
-            let part = (inside.start - columns.start) as usize..(inside.end - columns.start) as usize;
-            meaning.widen(&from[inside.start as usize..inside.end as usize], &mut to[part]);
+            if !inside.is_empty() {
+                let part = (inside.start - columns.start) as usize..(inside.end - columns.start) as usize;
+                meaning.widen(&from[inside.start as usize..inside.end as usize], &mut to[part]);
+            }
             for i in (columns.start..inside.start).chain(inside.end..columns.end) {
                 let to = &mut to[(i - columns.start) as usize..][..1];
                 match across.place(i.div_euclid(channels)) {

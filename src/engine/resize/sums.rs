@@ -4,16 +4,21 @@ use crate::engine::resize::taps::{Blocks, SIDE};
 use crate::engine::simd::{Lanes, Simd, Task};
 use std::ops::Range;
 
+/// Lines that are `stride` apart, the first one at this old position.
+#[derive(Clone, Copy)]
+pub(super) struct Lines<'a, T> {
+    pub(super) numbers: &'a [T],
+    pub(super) first: i64,
+    pub(super) stride: usize,
+}
+
 /// For new positions the sums of the lines at old ones: pieces of rows on the way down, and on the way across columns of
 /// pixels of some rows, which [`turned`](crate::engine::resize::turn) lie one after another as lines do.
 pub(super) struct Sums<'a, T> {
     pub(super) blocks: &'a Blocks<T>,
     pub(super) new: Range<usize>,
     pub(super) fused: bool,
-    /// Lines that are `stride` apart, the first one at this old position.
-    pub(super) lines: &'a [T],
-    pub(super) first: i64,
-    pub(super) stride: usize,
+    pub(super) lines: Lines<'a, T>,
     /// Numbers of a line, a multiple of [`LEAST`].
     pub(super) width: usize,
     /// Where the sums go, `to_stride` apart; as many as fill their blocks.
@@ -32,8 +37,8 @@ impl<T: Lanes> Task for Sums<'_, T> {
         match (self.blocks.side() == 1, self.fused) {
             (true, true) => self.all::<S, true, 1, 8>(simd),
             (true, false) => self.all::<S, false, 1, 8>(simd),
-            (false, true) => self.all::<S, true, SIDE, 4>(simd),
-            (false, false) => self.all::<S, false, SIDE, 4>(simd),
+            (false, true) => self.all::<S, true, SIDE, 2>(simd),
+            (false, false) => self.all::<S, false, SIDE, 2>(simd),
         }
     }
 }
@@ -41,17 +46,17 @@ impl<T: Lanes> Task for Sums<'_, T> {
 impl<T: Lanes> Sums<'_, T> {
     #[inline(always)]
     fn all<S: Simd, const FUSED: bool, const R: usize, const C: usize>(self, simd: S) {
-        let Self { blocks, new, lines, first, stride, width, to, to_stride, .. } = self;
+        let Self { blocks, new, lines: Lines { numbers, first, stride }, width, to, to_stride, .. } = self;
         let lanes = size_of::<T::Vector<S>>() / size_of::<T>();
         for ((at, weights), to) in blocks.of(&new).zip(to.chunks_mut(R * to_stride)) {
-            let lines = &lines[(at - first) as usize * stride..];
+            let lines = &numbers[(at - first) as usize * stride..];
             let weights = weights.as_chunks::<R>().0;
             let mut c = 0;
             while c + C * lanes <= width {
                 block::<T, S, FUSED, R, C>(simd, weights, lines, stride, c, to, to_stride);
                 c += C * lanes;
             }
-            while c + 2 * lanes <= width {
+            while C > 2 && c + 2 * lanes <= width {
                 block::<T, S, FUSED, R, 2>(simd, weights, lines, stride, c, to, to_stride);
                 c += 2 * lanes;
             }

@@ -133,6 +133,7 @@ pub(super) struct Blocks<T> {
     pub(super) taps: Taps,
     /// New positions in a block: 1 or [`SIDE`].
     side: usize,
+    /// And one behind the last, where the weights end.
     blocks: Vec<Block>,
     weights: Vec<T>,
 }
@@ -155,6 +156,7 @@ impl<T: Real> Blocks<T> {
                 }
             }
         }
+        made.blocks.push(Block { first: 0, weights: made.weights.len() });
         made
     }
 
@@ -167,18 +169,12 @@ impl<T: Real> Blocks<T> {
         self.side
     }
 
-    fn range(&self, new: &Range<usize>) -> Range<usize> {
-        new.start / self.side..new.end.div_ceil(self.side)
-    }
-
     /// The blocks of new positions from a multiple of [`SIDE`] on: the first old position, and for every one from there on
     /// a weight for each new one.
     #[inline(always)]
     pub(super) fn of(&self, new: &Range<usize>) -> impl Iterator<Item = (i64, &[T])> {
-        let ends = self.blocks[1..].iter().map(|b| b.weights).chain([self.weights.len()]);
-        let range = self.range(new);
-        let blocks = self.blocks[range.clone()].iter().zip(ends.skip(range.start));
-        blocks.map(|(block, end)| (block.first, &self.weights[block.weights..end]))
+        let blocks = &self.blocks[new.start / self.side..=new.end.div_ceil(self.side)];
+        blocks.windows(2).map(|pair| (pair[0].first, &self.weights[pair[0].weights..pair[1].weights]))
     }
 
     /// The old positions that their sums read.
