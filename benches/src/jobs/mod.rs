@@ -2,6 +2,8 @@
 
 mod fft;
 mod plane;
+mod resize;
+mod resize_peers;
 
 use crate::machine::Machine;
 use crate::race::Outcome;
@@ -19,7 +21,7 @@ pub struct Job {
 }
 
 /// All of them.
-pub static ALL: &[Job] = &[fft::JOB, plane::JOB];
+pub static ALL: &[Job] = &[fft::JOB, plane::JOB, resize::JOB];
 
 /// Numbers between −1 and 1 that look random, the same in every run: the fractional parts of multiples of the golden ratio.
 fn noise(n: usize) -> impl Iterator<Item = f64> {

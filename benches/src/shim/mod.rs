@@ -5,6 +5,7 @@
 
 mod fft;
 mod plane;
+mod resize;
 
 use std::sync::{LazyLock, Mutex};
 
