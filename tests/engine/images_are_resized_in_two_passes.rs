@@ -39,7 +39,8 @@ impl Direct {
         let row = |j: usize| {
             let at = (j as f64 + 0.5) * ratio - 0.5;
             let first = (at - reach).ceil() as i64;
-            let read: Vec<f64> = (first..=(at + reach).floor() as i64).map(|i| kernel.at((at - i as f64) / stretch)).collect();
+            let read: Vec<f64> =
+                (first..=(at + reach).floor() as i64).map(|i| kernel.at((at - i as f64) / stretch)).collect();
             let sum: f64 = read.iter().sum();
             (first, read.into_iter().map(|w| w / sum).collect())
         };
@@ -56,7 +57,14 @@ impl Direct {
 /// `Σ_y w_y Σ_x w_x f`, and how far from it rounding may lead in a number type of this `ε`, for values up to one: a weight, a
 /// product and the additions of each pass round once each, and weights here differ from the engine's by the rounding of a
 /// kernel's argument, some `ε` of f64 of `n` pixels.
-fn direct(f: &[f64], [old, new]: [[usize; 2]; 2], channels: usize, kernel: &dyn Kernel, edge: Edge, epsilon: f64) -> (Vec<f64>, f64) {
+fn direct(
+    f: &[f64],
+    [old, new]: [[usize; 2]; 2],
+    channels: usize,
+    kernel: &dyn Kernel,
+    edge: Edge,
+    epsilon: f64,
+) -> (Vec<f64>, f64) {
     let [across, down] = [0, 1].map(|i| Direct::new(old[i], new[i], kernel));
     let mut sums = Vec::with_capacity(new[0] * new[1] * channels);
     for (top, rows) in &down.rows {
@@ -82,7 +90,13 @@ fn direct(f: &[f64], [old, new]: [[usize; 2]; 2], channels: usize, kernel: &dyn 
     (sums, (steps + arguments + oracle) * gain)
 }
 
-fn plan<C: Code>(old: [usize; 2], new: [usize; 2], kernel: &dyn Kernel, edge: Edge, arithmetic: Arithmetic) -> Resizer<C::Sum> {
+fn plan<C: Code>(
+    old: [usize; 2],
+    new: [usize; 2],
+    kernel: &dyn Kernel,
+    edge: Edge,
+    arithmetic: Arithmetic,
+) -> Resizer<C::Sum> {
     let taps = |i: usize| {
         let axis = |n| Axis::cells(0.0..old[i] as f64, n).unwrap();
         Weights::of(axis(old[i]), axis(new[i]), kernel).unwrap().taps(edge).unwrap()
@@ -97,7 +111,10 @@ fn resized<C: Code + PartialEq>(resizer: &Resizer<C::Sum>, image: &[C], channels
     let mut out = vec![mark; height * stride];
     let view = View::new(image, resizer.old(), channels, width * channels).unwrap();
     resizer.run(view, ViewMut::new(&mut out, [new, height], channels, stride).unwrap()).unwrap();
-    assert!(out.chunks(stride).all(|line| line[row..].iter().all(|v| *v == mark)), "between the rows nothing is written");
+    assert!(
+        out.chunks(stride).all(|line| line[row..].iter().all(|v| *v == mark)),
+        "between the rows nothing is written"
+    );
     out.chunks(stride).flat_map(|line| &line[..row]).copied().collect()
 }
 
@@ -105,7 +122,9 @@ fn resized<C: Code + PartialEq>(resizer: &Resizer<C::Sum>, image: &[C], channels
 fn cases() -> impl Iterator<Item = (usize, [[usize; 2]; 2], Box<dyn Kernel>, Edge)> {
     let names = ["mitchell", "lanczos-3", "catmull-rom", "tent"];
     SIZES.into_iter().zip(0..).flat_map(move |((old, new), i)| {
-        (0..4).map(move |j| (1 + (i + j) % 4, [old, new], catalog::by_name(names[(i / 2 + j) % 4]).unwrap(), Edge::ALL[j]))
+        (0..4).map(move |j| {
+            (1 + (i + j) % 4, [old, new], catalog::by_name(names[(i / 2 + j) % 4]).unwrap(), Edge::ALL[j])
+        })
     })
 }
 
@@ -121,12 +140,18 @@ fn numbers_become_the_weighted_sums() {
             let (sums, bound) = direct(&f, sizes, channels, &kernel, edge, f64::EPSILON);
             let got = resized(&plan::<f64>(old, new, &kernel, edge, arithmetic), &f, channels, 7.0);
             for (got, sum) in got.iter().zip(&sums) {
-                assert!((got - sum).abs() <= bound, "{old:?} to {new:?}, {name}, {edge:?}: {got} for {sum} ± {bound:e}");
+                assert!(
+                    (got - sum).abs() <= bound,
+                    "{old:?} to {new:?}, {name}, {edge:?}: {got} for {sum} ± {bound:e}"
+                );
             }
             let (sums, bound) = direct(&shorter, sizes, channels, &kernel, edge, f64::from(f32::EPSILON));
             let got = resized(&plan::<f32>(old, new, &kernel, edge, arithmetic), &f32s, channels, 7.0);
             for (got, sum) in got.iter().zip(&sums) {
-                assert!((f64::from(*got) - sum).abs() <= bound, "{old:?} to {new:?}, {name}, {edge:?}: {got} for {sum}");
+                assert!(
+                    (f64::from(*got) - sum).abs() <= bound,
+                    "{old:?} to {new:?}, {name}, {edge:?}: {got} for {sum}"
+                );
             }
         }
     }
@@ -136,7 +161,8 @@ fn numbers_become_the_weighted_sums() {
 fn codes_are_rounded_once() {
     for (channels, sizes, kernel, edge) in cases() {
         let [old, new] = sizes;
-        let f: Vec<f64> = noise(old[0] * old[1] * channels, 4).iter().map(|v| (127.5 + 127.5 * v.tanh()).round()).collect();
+        let f: Vec<f64> =
+            noise(old[0] * old[1] * channels, 4).iter().map(|v| (127.5 + 127.5 * v.tanh()).round()).collect();
         let (sums, bound) = direct(&f, sizes, channels, &kernel, edge, f64::from(f32::EPSILON));
         let bytes: Vec<u8> = f.iter().map(|v| *v as u8).collect();
         let words: Vec<u16> = bytes.iter().map(|v| u16::from(*v) * 257).collect();
@@ -146,7 +172,10 @@ fn codes_are_rounded_once() {
             let exact = sum.clamp(0.0, 255.0);
             assert!((f64::from(*got) - exact).abs() <= 0.5 + 255.0 * bound, "{old:?} to {new:?}: {got} for {exact}");
             let exact = 257.0 * exact;
-            assert!((f64::from(*got16) - exact).abs() <= 0.5 + 65535.0 * bound, "{old:?} to {new:?}: {got16} for {exact}");
+            assert!(
+                (f64::from(*got16) - exact).abs() <= 0.5 + 65535.0 * bound,
+                "{old:?} to {new:?}: {got16} for {exact}"
+            );
         }
     }
 }
@@ -160,7 +189,8 @@ fn bytes_of_light_are_averaged_as_light() {
     assert_eq!([f32::NAN, -1.0, 2.0, f32::INFINITY].map(|v| light.encode(v)), [0, 0, 255, 255]);
     for (channels, sizes, kernel, edge) in cases() {
         let [old, new] = sizes;
-        let bytes: Vec<u8> = noise(old[0] * old[1] * channels, 5).iter().map(|v| (127.5 + 127.5 * v.tanh()) as u8).collect();
+        let bytes: Vec<u8> =
+            noise(old[0] * old[1] * channels, 5).iter().map(|v| (127.5 + 127.5 * v.tanh()) as u8).collect();
         let f: Vec<f64> = bytes.iter().map(|b| srgb_to_linear(f64::from(*b) / 255.0)).collect();
         let (sums, bound) = direct(&f, sizes, channels, &kernel, edge, f64::from(f32::EPSILON));
         let mut out = vec![0; new[0] * new[1] * channels];
@@ -209,7 +239,9 @@ fn a_constant_stays_what_it_is() {
         let bound = (across.most() + down.most() + 4) as f32 * f32::EPSILON * (across.gain * down.gain) as f32;
         for edge in [Edge::Clamp, Edge::Wrap, Edge::Mirror] {
             let bytes = plan::<u8>(old, new, &kernel, edge, Arithmetic::Fused);
-            assert!([0, 1, 77, 254, 255].iter().all(|v| resized(&bytes, &vec![*v; n], 1, 3).iter().all(|got| got == v)));
+            assert!(
+                [0, 1, 77, 254, 255].iter().all(|v| resized(&bytes, &vec![*v; n], 1, 3).iter().all(|got| got == v))
+            );
             let got = resized(&plan::<f32>(old, new, &kernel, edge, Arithmetic::Fused), &vec![1.0; n], 1, 3.0);
             assert!(got.iter().all(|v| (v - 1.0).abs() <= bound));
         }
@@ -274,8 +306,16 @@ fn what_cannot_be_resized_is_refused() {
         plan.run(View::new(&source, old, from, 8).unwrap(), ViewMut::new(&mut target, new, to, 8).unwrap())
     };
     assert_eq!(run([2, 2], [1, 1], 3, 3), Ok(()));
-    for (old, new, from, to) in [([3, 2], [1, 1], 1, 1), ([2, 3], [1, 1], 1, 1), ([2, 2], [2, 1], 1, 1), ([2, 2], [1, 2], 1, 1), ([2, 2], [1, 1], 1, 3)] {
+    for (old, new, from, to) in [
+        ([3, 2], [1, 1], 1, 1),
+        ([2, 3], [1, 1], 1, 1),
+        ([2, 2], [2, 1], 1, 1),
+        ([2, 2], [1, 2], 1, 1),
+        ([2, 2], [1, 1], 1, 3),
+    ] {
         assert!(matches!(run(old, new, from, to), Err(Error::Length { .. })), "{old:?} {new:?} {from} {to}");
     }
-    assert!(Light::new(|_| 0.5).is_err() && Light::new(|v| 1.0 - v).is_err() && Light::new(|v| 1.0 / (v - 1.0)).is_err());
+    assert!(
+        Light::new(|_| 0.5).is_err() && Light::new(|v| 1.0 - v).is_err() && Light::new(|v| 1.0 / (v - 1.0)).is_err()
+    );
 }

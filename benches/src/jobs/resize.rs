@@ -11,7 +11,8 @@ use nyquist::image::weights::Weights;
 use nyquist::kernel::catalog;
 use rayon::prelude::*;
 
-pub const JOB: Job = Job { letter: "e", name: "resize", about: "images of 4096² to 1024² and back, Lanczos-3 and cubics", run };
+pub const JOB: Job =
+    Job { letter: "e", name: "resize", about: "images of 4096² to 1024² and back, Lanczos-3 and cubics", run };
 
 /// What is done.
 #[derive(Debug, Clone, Copy)]
@@ -124,12 +125,20 @@ fn of<C: Number>(case: Case, machine: &Machine, rounds: usize) -> [Outcome; 2] {
         let products = channels as f64 * taps((f / t).max(1.0)) * (t * t + f * t);
         let counted = "the image read and the result written once; products and sums in 32 bits of both passes";
         let race = Race {
-            case: format!("{from}² → {to}², {kernel}, {} × {channels}{}", C::NAME, if light { " by light" } else { "" }),
+            case: format!(
+                "{from}² → {to}², {kernel}, {} × {channels}{}",
+                C::NAME,
+                if light { " by light" } else { "" }
+            ),
             threads,
             // 64 bits are what is measured: twice as many of 32 at a time
             limit: Some((machine.least(bytes, 2.0 * products / 2.0, threads), counted.into())),
             // of f32 the bound of the engine, (n + m + 4)·ε·A² with A ≤ 1.5; of bytes a rounding of the result, and one of rows
-            allowed: if C::WHITE == 1.0 { (2.0 * taps((f / t).max(1.0)) + 4.0) * f64::from(f32::EPSILON) * 2.25 } else { 1.25 },
+            allowed: if C::WHITE == 1.0 {
+                (2.0 * taps((f / t).max(1.0)) + 4.0) * f64::from(f32::EPSILON) * 2.25
+            } else {
+                1.25
+            },
             contenders,
         };
         race.run(JOB.letter, rounds)
@@ -140,7 +149,8 @@ fn ours<C: Number>(case: Case, source: &[C]) -> Way<'_, C> {
     let Case { kernel, channels, from, to, light } = case;
     let kernel = catalog::by_name(kernel).expect("a known kernel");
     let axis = |n| Axis::cells(0.0..from as f64, n).expect("sizes are positive");
-    let taps = || Weights::of(axis(from), axis(to), &kernel).and_then(|w| w.taps(Edge::Clamp)).expect("a finite kernel");
+    let taps =
+        || Weights::of(axis(from), axis(to), &kernel).and_then(|w| w.taps(Edge::Clamp)).expect("a finite kernel");
     let plan = Resizer::new(taps(), taps(), Arithmetic::Fused);
     let light = light.then(|| Light::new(srgb_to_linear).expect("a rising curve"));
     let run = move |out: &mut [C]| {
@@ -179,10 +189,8 @@ fn exact<C: Number>(case: Case, source: &[C]) -> Vec<f64> {
         weights.into_iter().map(|(i, w)| (i.clamp(0, from as i64 - 1) as usize, w / sum)).collect::<Vec<_>>()
     };
     let taps: Vec<_> = (0..to).map(taps).collect();
-    let decoded: Vec<f64> = source
-        .par_iter()
-        .map(|v| if light { srgb_to_linear(v.value() / C::WHITE) } else { v.value() })
-        .collect();
+    let decoded: Vec<f64> =
+        source.par_iter().map(|v| if light { srgb_to_linear(v.value() / C::WHITE) } else { v.value() }).collect();
     let (old, new) = (from * channels, to * channels);
     let mut out = vec![0.0; to * new];
     out.par_chunks_mut(new).zip(&taps).for_each(|(out, rows)| {

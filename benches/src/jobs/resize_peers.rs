@@ -72,17 +72,24 @@ fn fast_light(case: Case, source: &[u8], pixel: PixelType) -> impl FnMut(&mut [u
 /// A kind of number of pic-scale.
 trait Scaled: Copy + Default + Send + Sync + std::fmt::Debug + 'static {
     /// A plan, as a function that uses it.
-    fn plan<'a>(case: Case, source: &'a [Self], threads: usize, depth: usize) -> Box<dyn FnMut(&mut [Self]) + Send + 'a>;
+    fn plan<'a>(
+        case: Case,
+        source: &'a [Self],
+        threads: usize,
+        depth: usize,
+    ) -> Box<dyn FnMut(&mut [Self]) + Send + 'a>;
 }
 
 macro_rules! plan {
     ($plan:expr, $case:ident, $source:ident, $depth:ident, $channels:literal) => {{
         let plan = $plan.expect("sizes are positive");
-        let mut store = ImageStore::<Self, $channels>::borrow($source, $case.from, $case.from).expect("the sizes agree");
+        let mut store =
+            ImageStore::<Self, $channels>::borrow($source, $case.from, $case.from).expect("the sizes agree");
         store.bit_depth = $depth;
         let mut scratch = plan.alloc_scratch();
         Box::new(move |out| {
-            let mut target = ImageStoreMut::<Self, $channels>::borrow(out, $case.to, $case.to).expect("the sizes agree");
+            let mut target =
+                ImageStoreMut::<Self, $channels>::borrow(out, $case.to, $case.to).expect("the sizes agree");
             target.bit_depth = $depth;
             plan.resample_with_scratch(&store, &mut target, &mut scratch).expect("the sizes agree");
         })
@@ -106,7 +113,12 @@ fn policy(threads: usize) -> ThreadingPolicy {
 }
 
 impl Scaled for f32 {
-    fn plan<'a>(case: Case, source: &'a [Self], threads: usize, depth: usize) -> Box<dyn FnMut(&mut [Self]) + Send + 'a> {
+    fn plan<'a>(
+        case: Case,
+        source: &'a [Self],
+        threads: usize,
+        depth: usize,
+    ) -> Box<dyn FnMut(&mut [Self]) + Send + 'a> {
         let ((from, to), mut scaler) = (sizes(case), Scaler::new(function(case)));
         scaler.set_threading_policy(policy(threads));
         match case.channels {
@@ -117,7 +129,12 @@ impl Scaled for f32 {
 }
 
 impl Scaled for u8 {
-    fn plan<'a>(case: Case, source: &'a [Self], threads: usize, depth: usize) -> Box<dyn FnMut(&mut [Self]) + Send + 'a> {
+    fn plan<'a>(
+        case: Case,
+        source: &'a [Self],
+        threads: usize,
+        depth: usize,
+    ) -> Box<dyn FnMut(&mut [Self]) + Send + 'a> {
         let (from, to) = sizes(case);
         if case.light {
             let mut scaler = LinearScaler::new(function(case));

@@ -4,11 +4,11 @@
 //! A resizing is two sums, `Σ_y w_y Σ_x w_x f(x, y)`, whose weights [`Taps`] hold; those of a kernel are
 //! [`Weights::taps`](crate::image::weights::Weights::taps). [`Resizer`] does them in two passes, in the order that needs
 //! fewer products: rows are summed before columns where an image becomes smaller. Both passes are the same loop, weighted
-//! sums of lines in vectors, since sixteen rows turned by 90° are lines for the way across; no gathering and no horizontal
+//! sums of lines in vectors, since some rows turned by 90° are lines for the way across; no gathering and no horizontal
 //! addition is left, whatever the ratio. Where neighbouring sums read nearly the same lines, four are made at once.
 //!
 //! What is worked on stays in the second cache: a panel of as many columns as fit into it together with the lines that
-//! sixteen new rows read; the old rows after these are asked for while they are summed. So memory is read once and written
+//! thirty-two new rows read; the old rows after these are asked for while they are summed. So memory is read once and written
 //! once. The room of a thread is below 2 MB for up to four channels of `f32`, apart from kernels that reach over hundreds of
 //! rows.
 //!

@@ -14,16 +14,17 @@ use crate::parallel;
 use std::ops::Range;
 
 /// Rows that are summed side by side on the way across.
-const ROWS: usize = 16;
+const ROWS: usize = 32;
 
-/// Numbers of a row that are summed down at a time: with the lines that sixteen new rows read they stay in the first cache.
+/// Numbers of a row that are summed down at a time: with those of the old rows that a group of new ones reads they stay in
+/// the first cache, or nearly so.
 const fn strip<T>() -> usize {
     256 / size_of::<T>()
 }
 
 /// Numbers of old rows, or of new ones if these are longer, between whose sums memory is not left: with the rows of a
 /// window they stay in the second cache.
-const PANEL: f64 = 1024.0;
+const PANEL: f64 = 512.0;
 
 /// Rows of a window on the way down that stay in the second cache.
 const WINDOW: i64 = 80;
@@ -107,10 +108,10 @@ impl<T: Lanes> Resizer<T> {
         }
     }
 
-    /// How many times sixteen new rows are a piece of work.
+    /// How many times so many new rows are a piece of work.
     fn groups(&self) -> usize {
         if self.down_first {
-            return 4;
+            return 4; // long: what its first sums read, nobody has asked for before
         }
         let n = self.down.taps.len();
         let fits = |groups: &usize| {
@@ -156,7 +157,11 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
     }
 
     /// So many new rows at a time, the last time perhaps fewer.
-    fn groups<'t>(&self, rows: usize, target: &'t mut [C]) -> impl Iterator<Item = (Range<usize>, &'t mut [C])> + use<'t, C, M> {
+    fn groups<'t>(
+        &self,
+        rows: usize,
+        target: &'t mut [C],
+    ) -> impl Iterator<Item = (Range<usize>, &'t mut [C])> + use<'t, C, M> {
         let end = self.rows.end;
         let starts = self.rows.clone().step_by(rows);
         starts.map(move |y| y..(y + rows).min(end)).zip(target.chunks_mut(rows * self.stride))
@@ -202,7 +207,14 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
                     self.prefetch(share(&coming, s, strips), start..start + padded as i64);
                     let lines = Lines { numbers: &lines[at..], first: reads_down.start, stride };
                     self.sums(down, group.clone(), lines, strip, sums, strip);
-                    vectorised(Turn { from: sums, stride: strip, rows: ROWS, columns: strip, to: columns, to_stride: ROWS });
+                    vectorised(Turn {
+                        from: sums,
+                        stride: strip,
+                        rows: ROWS,
+                        columns: strip,
+                        to: columns,
+                        to_stride: ROWS,
+                    });
                 }
                 self.across(panel.clone(), reads.start, columns, sums, finished, line);
                 let width = panel.len() * channels;
@@ -229,7 +241,14 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
             for (b, finished) in finished.chunks_mut(ROWS * line).enumerate() {
                 let top = reads_down.start + (b * ROWS) as i64;
                 self.load(top..(top + ROWS as i64).min(reads_down.end), at.clone(), lines, padded);
-                vectorised(Turn { from: lines, stride: padded, rows: ROWS, columns: padded, to: columns, to_stride: ROWS });
+                vectorised(Turn {
+                    from: lines,
+                    stride: padded,
+                    rows: ROWS,
+                    columns: padded,
+                    to: columns,
+                    to_stride: ROWS,
+                });
                 self.across(panel.clone(), reads.start, columns, sums, finished, line);
             }
             for (group, target) in self.groups(SIDE, target) {
@@ -252,8 +271,16 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
         with_vectors(Sums { blocks, new, fused: self.plan.fused, lines, width, to, to_stride });
     }
 
-    /// The new columns of a panel, from the old ones of sixteen rows, to sixteen rows `line` apart.
-    fn across(&self, panel: Range<usize>, first: i64, columns: &[M::Sum], sums: &mut [M::Sum], rows: &mut [M::Sum], line: usize) {
+    /// The new columns of a panel, from the old ones of [`ROWS`] rows, to as many rows `line` apart.
+    fn across(
+        &self,
+        panel: Range<usize>,
+        first: i64,
+        columns: &[M::Sum],
+        sums: &mut [M::Sum],
+        rows: &mut [M::Sum],
+        line: usize,
+    ) {
         let channels = self.source.layout.channels;
         let wide = ROWS * channels;
         for x in panel.clone().step_by(ROWS) {

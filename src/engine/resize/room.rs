@@ -29,7 +29,7 @@ pub(super) struct Room<T> {
     pub(super) lines: Aligned<T>,
     /// The sums of some of them.
     pub(super) sums: Aligned<T>,
-    /// Sixteen rows, turned.
+    /// Rows, turned.
     pub(super) columns: Aligned<T>,
     /// Rows whose columns are finished.
     pub(super) rows: Aligned<T>,

@@ -151,7 +151,8 @@ impl<T: Real> Blocks<T> {
             made.blocks.push(Block { first: reads.start, weights: made.weights.len() });
             for position in reads {
                 for j in start..start + side {
-                    let weight = made.taps.rows.get(j).and_then(|(first, w)| w.get(usize::try_from(position - first).ok()?));
+                    let weight =
+                        made.taps.rows.get(j).and_then(|(first, w)| w.get(usize::try_from(position - first).ok()?));
                     made.weights.push(T::of(weight.copied().unwrap_or(0.0)));
                 }
             }
