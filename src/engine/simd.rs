@@ -55,6 +55,8 @@ pub(super) fn prefetch<T>(values: &[T]) {
             sse._mm_prefetch::<{ std::arch::x86_64::_MM_HINT_T1 }>(line.as_ptr().cast());
         }
     }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = values;
 }
 
 /// Numbers that processors have vectors of.

@@ -152,7 +152,7 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
         let across = &self.plan.across.taps;
         let (old, new, channels) = (across.old() as f64, across.len(), self.source.layout.channels as f64);
         let width = PANEL / (old / new as f64).max(1.0) / channels;
-        let width = (width as usize / ROWS * ROWS).max(ROWS);
+        let width = (width as usize).next_multiple_of(ROWS).max(ROWS);
         (0..new).step_by(width).map(move |x| x..(x + width).min(new))
     }
 
