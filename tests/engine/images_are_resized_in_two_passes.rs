@@ -239,9 +239,9 @@ fn a_constant_stays_what_it_is() {
         for edge in [Edge::Clamp, Edge::Wrap, Edge::Mirror] {
             let bytes = plan::<u8>(old, new, &kernel, edge, Arithmetic::Fused);
             assert!(
-                [0, 1, 77, 254, 255].iter().all(|v| resized(&bytes, &vec![*v; n], 1, 3).iter().all(|got| got == v))
+                [0_u8, 1, 77, 254, 255].iter().all(|v| resized(&bytes, &vec![*v; n], 1, 3).iter().all(|got| got == v))
             );
-            let got = resized(&plan::<f32>(old, new, &kernel, edge, Arithmetic::Fused), &vec![1.0; n], 1, 3.0);
+            let got = resized(&plan::<f32>(old, new, &kernel, edge, Arithmetic::Fused), &vec![1.0_f32; n], 1, 3.0);
             assert!(got.iter().all(|v| (v - 1.0).abs() <= bound));
         }
     }
