@@ -8,8 +8,7 @@
 //! addition is left, whatever the ratio. Where neighbouring sums read nearly the same lines, four are made at once.
 //!
 //! What is worked on stays in the second cache: a panel of as many columns as fit into it together with the lines that
-//! thirty-two new rows read; the old rows after these are asked for while they are summed. So memory is read once and written
-//! once. The room of a thread is below 1 MB for up to four channels of `f32` that shrink up to eight times, by a kernel of a
+//! thirty-two new rows read. So memory is read once and written once. The room of a thread is below 1 MB for up to four channels of `f32` that shrink up to eight times, by a kernel of a
 //! radius up to 3, and grows in proportion with the rows that are read at once.
 //!
 //! Cuts depend on sizes alone, and every number is summed in the order of the old positions: the bits do not depend on the
@@ -47,7 +46,6 @@ mod room;
 mod strips;
 mod sums;
 mod taps;
-mod turn;
 mod view;
 
 pub use code::Code;

@@ -6,9 +6,8 @@ use crate::engine::resize::room::{Room, Rooms};
 use crate::engine::resize::strips::{Load, Meaning, Store, Themselves};
 use crate::engine::resize::sums::{LEAST, Lines, Sums};
 use crate::engine::resize::taps::{Blocks, SIDE, Taps};
-use crate::engine::resize::turn::Turn;
 use crate::engine::resize::view::{Layout, View, ViewMut};
-use crate::engine::simd::{Arithmetic, Lanes, prefetch, vectorised, with_vectors};
+use crate::engine::simd::{Arithmetic, Lanes, Turn, vectorised, with_vectors};
 use crate::error::{Error, Result};
 use crate::parallel;
 use std::ops::Range;
@@ -111,7 +110,7 @@ impl<T: Lanes> Resizer<T> {
     /// How many times so many new rows are a piece of work.
     fn groups(&self) -> usize {
         if self.down_first {
-            return 4; // long: what its first sums read, nobody has asked for before
+            return 4; // the rows that two pieces read are read twice
         }
         let n = self.down.taps.len();
         let fits = |groups: &usize| {
@@ -130,12 +129,6 @@ impl Resizer<f32> {
     pub fn run_in_light(&self, light: &Light, source: View<'_, u8>, target: ViewMut<'_, u8>) -> Result<()> {
         self.resize(light, source, target)
     }
-}
-
-/// The `i`-th of `n` parts of a range.
-fn share(range: &Range<i64>, i: usize, n: usize) -> Range<i64> {
-    let at = |i: usize| range.start + (range.end - range.start) * i as i64 / n as i64;
-    at(i)..at(i + 1)
 }
 
 /// Some new rows.
@@ -172,15 +165,6 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
         vectorised(Load { meaning: self.meaning, view: self.source, across, down, rows, columns, to, stride });
     }
 
-    /// Lets old rows come while others are summed.
-    fn prefetch(&self, rows: Range<i64>, columns: Range<i64>) {
-        let n = self.source.layout.row() as i64;
-        let [first, last] = [columns.start, columns.end].map(|i| i.clamp(0, n) as usize);
-        for y in rows.filter_map(|y| self.plan.down.taps.place(y)) {
-            prefetch(&self.source.row(y)[first..last]);
-        }
-    }
-
     fn store(&self, from: &[M::Sum], stride: usize, width: usize, rows: usize, to: &mut [C]) {
         vectorised(Store { meaning: self.meaning, from, stride, width, rows, to, to_stride: self.stride });
     }
@@ -199,15 +183,10 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
                 let lines = room.lines.numbers((reads_down.end - reads_down.start) as usize * stride);
                 let sums = room.sums.numbers(ROWS * strip.max(ROWS * channels));
                 self.load(reads_down.clone(), start..start + padded as i64, lines, stride);
-                let strips = padded / strip;
-                let after = group.end..(group.end + ROWS).min(self.rows.end);
-                let coming = reads_down.end..down.reads(&after).end.max(reads_down.end);
-                for (s, columns) in columns.chunks_mut(strip * ROWS).enumerate() {
-                    let at = s * strip;
-                    self.prefetch(share(&coming, s, strips), start..start + padded as i64);
+                for (at, columns) in (0..padded).step_by(strip).zip(columns.chunks_mut(strip * ROWS)) {
                     let lines = Lines { numbers: &lines[at..], first: reads_down.start, stride };
                     self.sums(down, group.clone(), lines, strip, sums, strip);
-                    vectorised(Turn {
+                    M::Sum::turn(Turn {
                         from: sums,
                         stride: strip,
                         rows: ROWS,
@@ -241,7 +220,7 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
             for (b, finished) in finished.chunks_mut(ROWS * line).enumerate() {
                 let top = reads_down.start + (b * ROWS) as i64;
                 self.load(top..(top + ROWS as i64).min(reads_down.end), at.clone(), lines, padded);
-                vectorised(Turn {
+                M::Sum::turn(Turn {
                     from: lines,
                     stride: padded,
                     rows: ROWS,
@@ -287,7 +266,7 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
             let lines = Lines { numbers: columns, first, stride: wide };
             self.sums(&self.plan.across, x..(x + ROWS).min(panel.end), lines, wide, sums, wide);
             let to = &mut rows[(x - panel.start) * channels..];
-            vectorised(Turn { from: sums, stride: ROWS, rows: wide, columns: ROWS, to, to_stride: line });
+            M::Sum::turn(Turn { from: sums, stride: ROWS, rows: wide, columns: ROWS, to, to_stride: line });
         }
     }
 }

@@ -13,7 +13,7 @@ pub(super) struct Lines<'a, T> {
 }
 
 /// For new positions the sums of the lines at old ones: pieces of rows on the way down, and on the way across columns of
-/// pixels of some rows, which [`turned`](crate::engine::resize::turn) lie one after another as lines do.
+/// pixels of some rows, which turned lie one after another as lines do.
 pub(super) struct Sums<'a, T> {
     pub(super) blocks: &'a Blocks<T>,
     pub(super) new: Range<usize>,
@@ -55,6 +55,10 @@ impl<T: Lanes> Sums<'_, T> {
             while c + C * lanes <= width {
                 block::<T, S, FUSED, R, C>(simd, weights, lines, stride, c, to, to_stride);
                 c += C * lanes;
+            }
+            while C > 4 && c + 4 * lanes <= width {
+                block::<T, S, FUSED, R, 4>(simd, weights, lines, stride, c, to, to_stride);
+                c += 4 * lanes;
             }
             while C > 2 && c + 2 * lanes <= width {
                 block::<T, S, FUSED, R, 2>(simd, weights, lines, stride, c, to, to_stride);

@@ -4,9 +4,12 @@
 //! instructions. It never fuses a product and a sum, so the bits do not depend on the choice. A [`Task`] holds vectors in
 //! its hands, and may fuse where [`Arithmetic`] allows it.
 
+mod turn;
+
 use crate::engine::real::Real;
 use pulp::{Arch, NullaryFnOnce};
 pub(super) use pulp::{Simd, WithSimd as Task};
+pub(super) use turn::Turn;
 
 /// How products are added.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -46,19 +49,6 @@ pub(super) fn with_vectors<T: Task>(task: T) -> T::Output {
     Arch::new().dispatch(task)
 }
 
-/// Asks for the lines of the cache that hold these values, a hint to the processor where there is such an instruction.
-#[inline(always)]
-pub(super) fn prefetch<T>(values: &[T]) {
-    #[cfg(target_arch = "x86_64")]
-    if let Some(sse) = pulp::core_arch::x86::Sse::try_new() {
-        for line in values.chunks(64 / size_of::<T>()) {
-            sse._mm_prefetch::<{ std::arch::x86_64::_MM_HINT_T1 }>(line.as_ptr().cast());
-        }
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    let _ = values;
-}
-
 /// Numbers that processors have vectors of.
 pub trait Lanes: Real {
     /// A vector.
@@ -78,10 +68,13 @@ pub trait Lanes: Real {
 
     /// `a·b + sum`, rounded once if the processor can.
     fn fuse_product<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>, sum: Self::Vector<S>) -> Self::Vector<S>;
+
+    #[doc(hidden)]
+    fn turn(turn: Turn<'_, Self>);
 }
 
 macro_rules! lanes {
-    ($real:ty, $vector:ident, $split:ident, $split_mut:ident, $splat:ident, $mul:ident, $add:ident, $fused:ident) => {
+    ($real:ty, $vector:ident, $split:ident, $split_mut:ident, $splat:ident, $mul:ident, $add:ident, $fused:ident, $turn:path) => {
         impl Lanes for $real {
             type Vector<S: Simd> = S::$vector;
 
@@ -109,9 +102,13 @@ macro_rules! lanes {
             fn fuse_product<S: Simd>(simd: S, a: S::$vector, b: S::$vector, sum: S::$vector) -> S::$vector {
                 simd.$fused(a, b, sum)
             }
+
+            fn turn(turn: Turn<'_, Self>) {
+                $turn(turn);
+            }
         }
     };
 }
 
-lanes!(f32, f32s, as_simd_f32s, as_mut_simd_f32s, splat_f32s, mul_f32s, add_f32s, mul_add_e_f32s);
-lanes!(f64, f64s, as_simd_f64s, as_mut_simd_f64s, splat_f64s, mul_f64s, add_f64s, mul_add_e_f64s);
+lanes!(f32, f32s, as_simd_f32s, as_mut_simd_f32s, splat_f32s, mul_f32s, add_f32s, mul_add_e_f32s, turn::turn_f32);
+lanes!(f64, f64s, as_simd_f64s, as_mut_simd_f64s, splat_f64s, mul_f64s, add_f64s, mul_add_e_f64s, vectorised);
