@@ -6,9 +6,9 @@ cd "$(dirname "$0")"
 rounds=15
 if [ "${1:-}" = --rounds ]; then rounds=$2; shift 2; fi
 jobs=("$@")
-if [ ${#jobs[@]} = 0 ]; then jobs=(fft plane points film figures); fi
+if [ ${#jobs[@]} = 0 ]; then jobs=(fft plane resize points film figures); fi
 
-# what Python cannot bring along: FFTW itself stands in its wheel, libraries of the system are named here
+# what Python cannot bring along: FFTW itself stands in its wheel; resize uses libzimg2 of Debian where it is installed
 test -d venv || python3 -m venv venv
 venv/bin/pip install --quiet --requirement requirements.txt
 

@@ -10,7 +10,8 @@ use nyquist::door::carried::{Carried, Depth, Light, Opened, Space};
 use nyquist::door::picture::{Color, Picture};
 use nyquist::door::{Format, Limits, write_file};
 use nyquist::image::Image;
-use nyquist::image::resize::{nearest, over, resize};
+use nyquist::image::resize::{nearest, over};
+use nyquist::image::resizing::Resizing;
 use nyquist::inspect::picture::blur::Blur;
 use nyquist::kernel::{Kernel, catalog};
 use serde_json::json;
@@ -135,7 +136,7 @@ fn size(args: &Args, old: [usize; 2]) -> Result<[usize; 2], Failure> {
     }
 }
 
-/// How a picture is resized: the one call behind which another engine may stand.
+/// How a picture is resized.
 struct Way {
     kernel: Option<Box<dyn Kernel>>,
     blur: Option<Blur>,
@@ -144,11 +145,13 @@ struct Way {
 
 impl Way {
     fn resized(&self, picture: &Picture, [width, height]: [usize; 2]) -> nyquist::error::Result<Picture> {
+        let planned = |kernel| Resizing::new(picture.grid(), [width, height], kernel, self.edge);
+        let resizing = self.kernel.as_deref().map(planned).transpose()?;
         picture.each(|plane| {
             let blurred: Option<Image> = self.blur.as_ref().map(|blur| blur.apply(plane, self.edge)).transpose()?;
             let plane = blurred.as_ref().unwrap_or(plane);
-            match &self.kernel {
-                Some(kernel) => resize(plane, width, height, kernel, self.edge),
+            match &resizing {
+                Some(resizing) => resizing.apply(plane),
                 None => Ok(nearest(plane, over(plane.grid(), width, height)?, self.edge)),
             }
         })

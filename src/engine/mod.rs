@@ -5,4 +5,7 @@
 pub mod fft;
 pub mod film;
 pub mod real;
+pub mod resize;
 mod simd;
+
+pub use simd::Arithmetic;

@@ -14,6 +14,7 @@ pub mod projection;
 pub mod radial;
 mod raster;
 pub mod resize;
+pub mod resizing;
 mod rgb;
 pub mod weights;
 

@@ -1,6 +1,7 @@
 //! What resizing an axis is: for every new position the old ones that it reads, and their weights.
 
 use crate::axis::{Axis, Edge};
+use crate::engine::resize;
 use crate::error::{Error, Result};
 use crate::kernel::Kernel;
 use crate::num::{cos_pi, sin_pi};
@@ -119,6 +120,14 @@ impl Weights {
             sum.norm_sqr()
         };
         self.taps.iter().map(of).sum::<f64>() / self.taps.len() as f64
+    }
+
+    /// The same sums for the engine, [`Resizer`](resize::Resizer), with what lies outside from where `edge` says.
+    ///
+    /// # Errors
+    /// More than [`Taps::MOST`](resize::Taps::MOST) positions, old or new.
+    pub fn taps(&self, edge: Edge) -> Result<resize::Taps> {
+        resize::Taps::new(self.old.len(), edge, self.taps.iter().map(|(first, weights)| (*first, weights.as_slice())))
     }
 
     /// The weights as they are used on a record that ends: what lies outside comes from where `edge` says.

@@ -7,6 +7,7 @@ mod fft;
 mod film;
 mod plane;
 mod points;
+mod resize;
 
 use std::sync::{LazyLock, Mutex};
 

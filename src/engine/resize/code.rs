@@ -1,0 +1,71 @@
+//! How numbers stand in an image.
+
+use crate::engine::simd::Lanes;
+
+/// A number of an image. Codes are averaged as they are; for averages of the light behind them see
+/// [`Light`](crate::engine::resize::Light).
+///
+/// Sums are made in `f32` (of `f64` in `f64`), and rounded once: codes of 8 and 16 bits to the nearest, half to even, and
+/// to the first or the last if they lie beyond.
+pub trait Code: Copy + Send + Sync + 'static {
+    /// What sums are made in.
+    type Sum: Lanes;
+
+    #[doc(hidden)]
+    fn widen(from: &[Self], to: &mut [Self::Sum]);
+
+    #[doc(hidden)]
+    fn narrow(from: &[Self::Sum], to: &mut [Self]);
+}
+
+macro_rules! itself {
+    ($real:ty) => {
+        impl Code for $real {
+            type Sum = Self;
+
+            #[inline(always)]
+            fn widen(from: &[Self], to: &mut [Self]) {
+                to.copy_from_slice(from);
+            }
+
+            #[inline(always)]
+            fn narrow(from: &[Self], to: &mut [Self]) {
+                to.copy_from_slice(from);
+            }
+        }
+    };
+}
+
+itself!(f32);
+itself!(f64);
+
+/// 2²³: beside it the spacing of `f32` is one, so that adding it rounds to whole numbers, which then are the last bits.
+const WHOLE: f32 = 8_388_608.0;
+
+macro_rules! whole {
+    ($code:ty) => {
+        impl Code for $code {
+            type Sum = f32;
+
+            #[inline(always)]
+            fn widen(from: &[Self], to: &mut [f32]) {
+                for (to, from) in to.iter_mut().zip(from) {
+                    *to = f32::from(*from);
+                }
+            }
+
+            #[inline(always)]
+            fn narrow(from: &[f32], to: &mut [Self]) {
+                for (to, from) in to.iter_mut().zip(from) {
+                    // in this order, one instruction each; not a number becomes zero
+                    let v = if *from > 0.0 { *from } else { 0.0 };
+                    let v = if v < f32::from(Self::MAX) { v } else { f32::from(Self::MAX) };
+                    *to = (v + WHOLE).to_bits() as Self;
+                }
+            }
+        }
+    };
+}
+
+whole!(u8);
+whole!(u16);

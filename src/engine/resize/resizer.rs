@@ -1,0 +1,272 @@
+//! The plan: two axes, and the order in which they are summed.
+
+use crate::engine::resize::code::Code;
+use crate::engine::resize::light::Light;
+use crate::engine::resize::room::{Room, Rooms};
+use crate::engine::resize::strips::{Load, Meaning, Store, Themselves};
+use crate::engine::resize::sums::{LEAST, Lines, Sums};
+use crate::engine::resize::taps::{Blocks, SIDE, Taps};
+use crate::engine::resize::view::{Layout, View, ViewMut};
+use crate::engine::simd::{Arithmetic, Lanes, Turn, vectorised, with_vectors};
+use crate::error::{Error, Result};
+use crate::parallel;
+use std::ops::Range;
+
+/// Rows that are summed side by side on the way across.
+const ROWS: usize = 32;
+
+/// Numbers of a row that are summed down at a time: with those of the old rows that a group of new ones reads they stay in
+/// the first cache, or nearly so.
+const fn strip<T>() -> usize {
+    256 / size_of::<T>()
+}
+
+/// Numbers of old rows, or of new ones if these are longer, between whose sums memory is not left: with the rows of a
+/// window they stay in the second cache.
+const PANEL: f64 = 512.0;
+
+/// Rows of a window on the way down that stay in the second cache.
+const WINDOW: i64 = 80;
+
+/// A resizing of images of one size to another one, planned once and used by any number of threads.
+#[derive(Debug)]
+pub struct Resizer<T> {
+    across: Blocks<T>,
+    down: Blocks<T>,
+    /// Whether fewer products are needed when rows are summed before columns.
+    down_first: bool,
+    fused: bool,
+    rooms: Rooms<T>,
+}
+
+impl<T: Lanes> Resizer<T> {
+    /// By the sums along both axes.
+    pub fn new(across: Taps, down: Taps, arithmetic: Arithmetic) -> Self {
+        let [width, height, new_width, new_height] =
+            [across.old(), down.old(), across.len(), down.len()].map(|n| n as f64);
+        let (taps_across, taps_down) = (across.mean(), down.mean());
+        let rows_first = new_height * (taps_down * width + taps_across * new_width);
+        let columns_first = new_width * (taps_across * height + taps_down * new_height);
+        Self {
+            down_first: rows_first <= columns_first,
+            across: Blocks::new(across),
+            down: Blocks::new(down),
+            fused: arithmetic == Arithmetic::Fused,
+            rooms: Rooms::new(),
+        }
+    }
+
+    /// The size of the images that are read.
+    pub fn old(&self) -> [usize; 2] {
+        [self.across.taps.old(), self.down.taps.old()]
+    }
+
+    /// The size of those that are written.
+    pub fn new_size(&self) -> [usize; 2] {
+        [self.across.taps.len(), self.down.taps.len()]
+    }
+
+    /// Resizes an image.
+    ///
+    /// # Errors
+    /// Images of other sizes than planned, or of different numbers of channels.
+    pub fn run<C: Code<Sum = T>>(&self, source: View<'_, C>, target: ViewMut<'_, C>) -> Result<()> {
+        self.resize(&Themselves, source, target)
+    }
+
+    fn resize<C: Copy + Send + Sync, M: Meaning<C, Sum = T>>(
+        &self,
+        meaning: &M,
+        source: View<'_, C>,
+        target: ViewMut<'_, C>,
+    ) -> Result<()> {
+        self.check(source.layout, target.layout)?;
+        let (stride, band) = (target.layout.stride, ROWS * self.groups());
+        parallel::chunks(target.values, band * stride, |i, target| {
+            let rows = i * band..((i + 1) * band).min(self.down.taps.len());
+            self.rooms.lend(|room| {
+                let job = Job { plan: self, meaning, source, rows, stride };
+                if self.down_first { job.down_first(target, room) } else { job.across_first(target, room) }
+            });
+        });
+        Ok(())
+    }
+
+    fn check(&self, source: Layout, target: Layout) -> Result<()> {
+        let ([width, height], [new_width, new_height]) = (self.old(), self.new_size());
+        let pairs = [
+            ("the width of the image to resize", width, source.width),
+            ("the height of the image to resize", height, source.height),
+            ("the width of the resized image", new_width, target.width),
+            ("the height of the resized image", new_height, target.height),
+            ("the channels of the resized image", source.channels, target.channels),
+        ];
+        match pairs.into_iter().find(|(_, expected, got)| expected != got) {
+            Some((what, expected, got)) => Err(Error::Length { what, expected, got }),
+            None => Ok(()),
+        }
+    }
+
+    /// How many times so many new rows are a piece of work.
+    fn groups(&self) -> usize {
+        if self.down_first {
+            return 4; // the rows that two pieces read are read twice
+        }
+        let n = self.down.taps.len();
+        let fits = |groups: &usize| {
+            let reads = self.down.reads(&(0..(groups * ROWS).min(n)));
+            reads.end - reads.start <= WINDOW
+        };
+        (1..=n.div_ceil(ROWS)).take_while(fits).last().unwrap_or(1)
+    }
+}
+
+impl Resizer<f32> {
+    /// Resizes an image of bytes by the light that they stand for.
+    ///
+    /// # Errors
+    /// Images of other sizes than planned, or of different numbers of channels.
+    pub fn run_in_light(&self, light: &Light, source: View<'_, u8>, target: ViewMut<'_, u8>) -> Result<()> {
+        self.resize(light, source, target)
+    }
+}
+
+/// Some new rows.
+struct Job<'a, C, M: Meaning<C>> {
+    plan: &'a Resizer<M::Sum>,
+    meaning: &'a M,
+    source: View<'a, C>,
+    rows: Range<usize>,
+    stride: usize,
+}
+
+impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
+    fn panels(&self) -> impl Iterator<Item = Range<usize>> + use<C, M> {
+        let across = &self.plan.across.taps;
+        let (old, new, channels) = (across.old() as f64, across.len(), self.source.layout.channels as f64);
+        let width = PANEL / (old / new as f64).max(1.0) / channels;
+        let width = (width as usize).next_multiple_of(ROWS).max(ROWS);
+        (0..new).step_by(width).map(move |x| x..(x + width).min(new))
+    }
+
+    /// So many new rows at a time, the last time perhaps fewer.
+    fn groups<'t>(
+        &self,
+        rows: usize,
+        target: &'t mut [C],
+    ) -> impl Iterator<Item = (Range<usize>, &'t mut [C])> + use<'t, C, M> {
+        let end = self.rows.end;
+        let starts = self.rows.clone().step_by(rows);
+        starts.map(move |y| y..(y + rows).min(end)).zip(target.chunks_mut(rows * self.stride))
+    }
+
+    fn load(&self, rows: Range<i64>, columns: Range<i64>, to: &mut [M::Sum], stride: usize) {
+        let (across, down) = (&self.plan.across.taps, &self.plan.down.taps);
+        vectorised(Load { meaning: self.meaning, view: self.source, across, down, rows, columns, to, stride });
+    }
+
+    fn store(&self, from: &[M::Sum], stride: usize, width: usize, rows: usize, to: &mut [C]) {
+        vectorised(Store { meaning: self.meaning, from, stride, width, rows, to, to_stride: self.stride });
+    }
+
+    fn down_first(&self, target: &mut [C], room: &mut Room<M::Sum>) {
+        let (channels, strip, down) = (self.source.layout.channels, strip::<M::Sum>(), &self.plan.down);
+        for panel in self.panels() {
+            let reads = self.plan.across.reads(&panel);
+            let start = reads.start * channels as i64;
+            let padded = ((reads.end - reads.start) as usize * channels).next_multiple_of(strip);
+            let (stride, line) = (padded + LEAST, panel.len().next_multiple_of(ROWS) * channels + LEAST);
+            let columns = room.columns.numbers(padded * ROWS);
+            let finished = room.rows.numbers(ROWS * line);
+            for (group, target) in self.groups(ROWS, target) {
+                let reads_down = down.reads(&group);
+                let lines = room.lines.numbers((reads_down.end - reads_down.start) as usize * stride);
+                let sums = room.sums.numbers(ROWS * strip.max(ROWS * channels));
+                self.load(reads_down.clone(), start..start + padded as i64, lines, stride);
+                for (at, columns) in (0..padded).step_by(strip).zip(columns.chunks_mut(strip * ROWS)) {
+                    let lines = Lines { numbers: &lines[at..], first: reads_down.start, stride };
+                    self.sums(down, group.clone(), lines, strip, sums, strip);
+                    M::Sum::turn(Turn {
+                        from: sums,
+                        stride: strip,
+                        rows: ROWS,
+                        columns: strip,
+                        to: columns,
+                        to_stride: ROWS,
+                    });
+                }
+                self.across(panel.clone(), reads.start, columns, sums, finished, line);
+                let width = panel.len() * channels;
+                self.store(finished, line, width, group.len(), &mut target[panel.start * channels..]);
+            }
+        }
+    }
+
+    fn across_first(&self, target: &mut [C], room: &mut Room<M::Sum>) {
+        let (channels, down) = (self.source.layout.channels, &self.plan.down);
+        let reads_down = down.reads(&self.rows);
+        let blocks = ((reads_down.end - reads_down.start) as usize).div_ceil(ROWS);
+        for panel in self.panels() {
+            let reads = self.plan.across.reads(&panel);
+            let at = reads.start * channels as i64..reads.end * channels as i64;
+            let (count, width) = ((at.end - at.start) as usize, panel.len() * channels);
+            let padded = count.next_multiple_of(LEAST);
+            let all = panel.len().next_multiple_of(ROWS) * channels;
+            let line = all + LEAST;
+            let finished = room.rows.numbers(blocks * ROWS * line);
+            let sums = room.sums.numbers(ROWS * ROWS * channels.max(all / ROWS));
+            let lines = room.lines.numbers(ROWS * padded);
+            let columns = room.columns.numbers(padded * ROWS);
+            for (b, finished) in finished.chunks_mut(ROWS * line).enumerate() {
+                let top = reads_down.start + (b * ROWS) as i64;
+                self.load(top..(top + ROWS as i64).min(reads_down.end), at.clone(), lines, padded);
+                M::Sum::turn(Turn {
+                    from: lines,
+                    stride: padded,
+                    rows: ROWS,
+                    columns: padded,
+                    to: columns,
+                    to_stride: ROWS,
+                });
+                self.across(panel.clone(), reads.start, columns, sums, finished, line);
+            }
+            for (group, target) in self.groups(SIDE, target) {
+                let lines = Lines { numbers: finished, first: reads_down.start, stride: line };
+                self.sums(down, group.clone(), lines, all, sums, all);
+                self.store(sums, all, width, group.len(), &mut target[panel.start * channels..]);
+            }
+        }
+    }
+
+    fn sums(
+        &self,
+        blocks: &Blocks<M::Sum>,
+        new: Range<usize>,
+        lines: Lines<'_, M::Sum>,
+        width: usize,
+        to: &mut [M::Sum],
+        to_stride: usize,
+    ) {
+        with_vectors(Sums { blocks, new, fused: self.plan.fused, lines, width, to, to_stride });
+    }
+
+    /// The new columns of a panel, from the old ones of [`ROWS`] rows, to as many rows `line` apart.
+    fn across(
+        &self,
+        panel: Range<usize>,
+        first: i64,
+        columns: &[M::Sum],
+        sums: &mut [M::Sum],
+        rows: &mut [M::Sum],
+        line: usize,
+    ) {
+        let channels = self.source.layout.channels;
+        let wide = ROWS * channels;
+        for x in panel.clone().step_by(ROWS) {
+            let lines = Lines { numbers: columns, first, stride: wide };
+            self.sums(&self.plan.across, x..(x + ROWS).min(panel.end), lines, wide, sums, wide);
+            let to = &mut rows[(x - panel.start) * channels..];
+            M::Sum::turn(Turn { from: sums, stride: ROWS, rows: wide, columns: ROWS, to, to_stride: line });
+        }
+    }
+}
