@@ -3,5 +3,6 @@
 //! The face of the library calls them where it pays; they can be called directly, too.
 
 pub mod fft;
+pub mod nonuniform;
 pub mod real;
 mod simd;

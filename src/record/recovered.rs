@@ -88,6 +88,7 @@ impl Recoverable {
         let asked = band.map(of_band).transpose()?;
         let part = |part: f64| (part * determined as f64).floor() as usize;
         let equations = Weighted::new(start..start + period, places, asked.unwrap_or(part(PARTS[0])))?;
+        let equations = if mirrored { equations.even() } else { equations };
         let (degree, condition) = match asked {
             Some(degree) => (degree, equations.condition(degree, most_condition)?),
             None => {

@@ -8,6 +8,11 @@
 /// assert_eq!([7, 44100, 44101].map(fast_length), [8, 45000, 45000]);
 /// ```
 pub fn fast_length(n: usize) -> usize {
+    fast_multiple(n, 2)
+}
+
+/// The least multiple of `unit` from `n` on that is `unit` times twos, threes and fives.
+pub(in crate::engine) fn fast_multiple(n: usize, unit: usize) -> usize {
     let smooth = |mut m: usize| {
         for p in [2, 3, 5] {
             while m.is_multiple_of(p) {
@@ -16,11 +21,11 @@ pub fn fast_length(n: usize) -> usize {
         }
         m == 1
     };
-    let mut even = n.max(2).next_multiple_of(2);
-    while !smooth(even) {
-        even += 2;
+    let mut count = n.div_ceil(unit).max(1);
+    while !smooth(count) {
+        count += 1;
     }
-    even
+    unit * count
 }
 
 /// The largest prime factor.
