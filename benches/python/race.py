@@ -1,0 +1,105 @@
+"""Contenders take turns, so that what slows the machine slows them all: the protocol of `src/race.rs`, for libraries of Python."""
+
+import json
+import statistics
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Callable
+
+RESULTS = Path(__file__).resolve().parent.parent / "results"
+# shorter runs are repeated within one measurement
+LEAST = 0.02
+
+
+@dataclass
+class Contender:
+    """One way to do a job; `error` is how far its result is from the reference, in the norm that the job names."""
+
+    name: str
+    error: float
+    run: Callable[[], object]
+    ours: bool = False
+
+
+def least(bytes_moved, operations, threads):
+    """Seconds that this machine needs at least, by what `peers --machine` measured; 32-bit operations count half."""
+    machine = json.loads((RESULTS / "machine.json").read_text())
+    i = min(max(threads, 1), 2) - 1
+    return max(bytes_moved / machine["triad"][i], operations / machine["flops"][i])
+
+
+def race(job, case, threads, allowed, contenders, limit=None, rounds=15):
+    """Runs it; `limit` is a pair of seconds and what they count. Gives the outcome as `src/race.rs` writes it."""
+    memory, repeats = [], []
+    for contender in contenders:
+        memory.append(peak_of(contender.run))
+        repeats.append(min(max(int(LEAST / timed(contender.run, 1)), 1), 1_000_000))
+    times = [[] for _ in contenders]
+    for _ in range(rounds):
+        for contender, count, found in zip(contenders, repeats, times):
+            found.append(timed(contender.run, count))
+    lines = []
+    for contender, found, megabytes in zip(contenders, times, memory):
+        quartiles = statistics.quantiles(found, n=4, method="inclusive") if len(found) > 1 else [found[0]] * 3
+        lines.append(
+            {
+                "name": contender.name,
+                "ours": contender.ours,
+                "error": float(contender.error),
+                "least": min(found),
+                "median": quartiles[1],
+                "spread": 0.5 * (quartiles[2] - quartiles[0]),
+                "memory": megabytes,
+            }
+        )
+    outcome = {"job": job, "case": case, "threads": threads, "limit": limit, "allowed": float(allowed), "lines": lines}
+    show(outcome)
+    return outcome
+
+
+def save(name, outcomes):
+    """Where `peers --report` finds them."""
+    RESULTS.mkdir(exist_ok=True)
+    (RESULTS / f"python-{name}.json").write_text(json.dumps(outcomes, indent=2, ensure_ascii=False) + "\n")
+
+
+def show(outcome):
+    print(f"\n{outcome['job']}. {outcome['case']}, threads: {outcome['threads']}, allowed error {outcome['allowed']:.1e}")
+    for line in outcome["lines"]:
+        able = "" if line["error"] <= outcome["allowed"] else "  errs too much"
+        print(
+            f"  {line['name']:40} {1e3 * line['median']:10.3f} ± {1e3 * line['spread']:.3f} ms"
+            f"  error {line['error']:.1e}{able}",
+            flush=True,
+        )
+    best = {
+        ours: min(
+            (l["median"] for l in outcome["lines"] if l["ours"] == ours and l["error"] <= outcome["allowed"]), default=None
+        )
+        for ours in (True, False)
+    }
+    if None not in best.values():
+        print(f"  ratio {best[True] / best[False]:.2f}", flush=True)
+
+
+def timed(run, count):
+    start = time.perf_counter()
+    for _ in range(count):
+        run()
+    return (time.perf_counter() - start) / count
+
+
+def peak_of(run):
+    """Megabytes by which the process grew at most during one run (Linux)."""
+    Path("/proc/self/clear_refs").write_text("5")
+    before = status("VmRSS:")
+    run()
+    return max(status("VmHWM:") - before, 0.0)
+
+
+def status(field):
+    for line in Path("/proc/self/status").read_text().splitlines():
+        if line.startswith(field):
+            return int(line.split()[1]) / 1024
+    raise LookupError(field)
