@@ -4,6 +4,7 @@
 //! pointers come from NumPy arrays of the stated lengths, in C order, which the caller keeps alive during the call.
 
 mod fft;
+mod nonuniform;
 mod plane;
 
 use std::sync::{LazyLock, Mutex};
