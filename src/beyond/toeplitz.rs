@@ -54,11 +54,6 @@ impl Toeplitz {
         self.degree
     }
 
-    /// Whether coefficients are real.
-    pub(super) fn is_even(&self) -> bool {
-        self.turns.is_some()
-    }
-
     /// The product with coefficients from zero on.
     pub(super) fn times(&mut self, coefficients: &[Complex<f64>]) -> &[Complex<f64>] {
         let (low, high) = self.half.split_at_mut(self.degree + 1);
