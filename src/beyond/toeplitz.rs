@@ -1,13 +1,13 @@
 //! The matrix of the equations of irregular samples, which is one of differences.
 
-use crate::engine::fft::{Butterflies, RealFft, fast_length};
+use crate::engine::fft::{Butterflies, RealFft, fast_length, long_length};
 use crate::num::{cos_pi, sin_pi};
 use num_complex::Complex;
 
 const NODES: &str = "rooms are as long as their transform";
 
-/// From so many nodes on their number is a multiple of 32, so that a transform of them uses all threads.
-const MANY: usize = 1 << 18;
+/// From so many nodes on a power of two in their number is worth some more of them.
+const MANY: usize = 1 << 16;
 
 /// The Hermitian Toeplitz matrix `t_{k−l}`, `|k|, |l| ≤ K`, on coefficients of real signals, of which those from zero on
 /// are enough. A product with it is one of signals: the transform of the weights, cut off at `2K`, times the polynomial, on
@@ -31,7 +31,7 @@ impl Toeplitz {
     /// Of the transform of the weights up to `2K`; of its real part if all is `even`.
     pub(super) fn new(gram: &[Complex<f64>], degree: usize, even: bool) -> Self {
         let least = if even { 2 * degree + 1 } else { 4 * degree + 2 };
-        let n = if least < MANY { fast_length(least) } else { 16 * fast_length(least.div_ceil(16)) };
+        let n = if least < MANY { fast_length(least) } else { long_length(least) };
         let fft = RealFft::with(n, Butterflies::Scalar).expect(NODES);
         let mut half = vec![Complex::ZERO; n / 2 + 1];
         if even {

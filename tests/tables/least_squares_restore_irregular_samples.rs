@@ -90,7 +90,7 @@ fn ten_thousand_irregular_samples_in_a_moment() {
 
 #[test]
 fn a_record_and_its_reflection_need_cosines_alone() {
-    let n = 900;
+    let n = 900u32;
     let half: Vec<f64> = (0..n).map(|k| (f64::from(k) + 0.7 * uniform(11, k.into(), 0)) / f64::from(2 * n)).collect();
     let places: Vec<f64> = half.iter().copied().chain(half.iter().rev().map(|u| 1.0 - u)).collect();
     let degree = 700;

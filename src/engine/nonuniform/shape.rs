@@ -1,6 +1,6 @@
 //! The window and the grid for a tolerance.
 
-use crate::engine::fft::fast_multiple;
+use crate::engine::fft::{fast_multiple, long_length};
 use crate::engine::nonuniform::window::{WIDTHS, Window};
 use crate::engine::real::Real;
 use crate::parallel;
@@ -35,14 +35,11 @@ impl<const D: usize> Shape<D> {
     }
 }
 
-/// The least length from `n` on that transforms fast: up to 4096 the unit times any product of twos, threes and fives;
-/// beyond, a power of two times 1, 3, 5, 9, 15, 27 or 45, at most an eighth apart.
+/// Up to so many cells any product of the unit, twos, threes and fives is as good as another.
+const SHORT: usize = 4096;
+
 fn length(n: usize, unit: usize) -> usize {
-    if n <= 4096 {
-        return fast_multiple(n, unit);
-    }
-    let least = |odd: usize| odd * n.div_ceil(odd).next_power_of_two();
-    [1, 3, 5, 9, 15, 27, 45].map(least).into_iter().min().expect("there are seven")
+    if n <= SHORT { fast_multiple(n, unit) } else { long_length(n) }
 }
 
 /// How many gains are computed together.
