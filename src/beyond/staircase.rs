@@ -21,7 +21,7 @@ const TOLERANCE: f64 = 1e-13;
 pub(super) struct Staircase {
     degree: usize,
     positions: Vec<f64>,
-    /// Where steps begin and how wide they are, as parts of the period.
+    /// Twice where steps have their middles, and how wide they are, as parts of the period.
     steps: Vec<[f64; 2]>,
     fast: Option<Fast>,
 }
@@ -42,7 +42,8 @@ impl Staircase {
         };
         let step = |i: usize| {
             let (before, after) = (0.5 * gap((i + n - 1) % n), 0.5 * gap(i));
-            [(positions[i] - before - start) / period, (before + after) / period]
+            let middle = positions[i] + 0.5 * (after - before) - start;
+            [2.0 * (middle / period), (before + after) / period]
         };
         let steps: Vec<[f64; 2]> = (0..n).map(step).collect();
         let fast = if n.saturating_mul(degree + 1) <= SHORT {
@@ -50,7 +51,7 @@ impl Staircase {
         } else {
             let nufft = Nufft::with(degree, 1, TOLERANCE, Butterflies::Scalar)?;
             let parts: Vec<f64> = positions.iter().map(|x| (x - start) / period).collect();
-            let jumps: Vec<f64> = steps.iter().map(|step| step[0]).collect();
+            let jumps: Vec<f64> = steps.iter().map(|[twice, width]| 0.5 * (twice - width)).collect();
             Some(Fast { positions: nufft.place(&parts)?, jumps: nufft.place(&jumps)?, nufft })
         };
         Ok(Self { degree, positions: positions.to_vec(), steps, fast })
@@ -69,8 +70,7 @@ impl Staircase {
         let Some(fast) = &self.fast else {
             let coefficient = |k: usize| {
                 let k = k as f64;
-                let step = |([begin, width], height): (&[f64; 2], &f64)| {
-                    let angle = 2.0 * (begin + 0.5 * width);
+                let step = |([angle, width], height): (&[f64; 2], &f64)| {
                     Complex::new(cos_pi(k * angle), -sin_pi(k * angle)) * (height * width * sinc(k * width))
                 };
                 self.steps.iter().zip(heights).map(step).sum()

@@ -101,8 +101,9 @@ fn a_record_and_its_reflection_need_cosines_alone() {
     let general = Weighted::new(0.0..1.0, Places::Anywhere(places), degree).unwrap();
     let condition = general.condition(degree, 100.0).unwrap();
     let cosines = general.clone().even();
-    // the even signals are some of all
-    assert!(cosines.condition(degree, 100.0).unwrap() <= condition * (1.0 + 1e-6));
+    // the even signals are some of all; what is seen of either is good to a few per cent
+    let of_cosines = cosines.condition(degree, 100.0).unwrap();
+    assert!(of_cosines <= 1.05 * condition, "{of_cosines} {condition}");
     let (all, few) = (general.fit(&values, degree).unwrap(), cosines.fit(&values, degree).unwrap());
     let bound = f64::EPSILON * condition * condition * 1400.0 * 1401f64.sqrt() * even.rms();
     assert!(distance(&even, &all) < bound && distance(&even, &few) < bound);

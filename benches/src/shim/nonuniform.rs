@@ -12,7 +12,10 @@ pub struct Interpolant {
 /// A plan for `n` samples of a period to a tolerance.
 #[unsafe(no_mangle)]
 pub extern "C" fn interpolant_new(n: usize, tolerance: f64) -> *mut Interpolant {
-    boxed(PeriodicInterpolator::new(n, tolerance).and_then(|plan| Ok(Interpolant { points: plan.place::<f64>(&[])?, plan })))
+    boxed(
+        PeriodicInterpolator::new(n, tolerance)
+            .and_then(|plan| Ok(Interpolant { points: plan.place::<f64>(&[])?, plan })),
+    )
 }
 
 /// The values of the interpolant of `n` samples at `m` positions, counted in samples; positions are sorted anew in every
