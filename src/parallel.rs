@@ -29,3 +29,29 @@ pub(crate) fn chunks<T: Send>(values: &mut [T], len: usize, f: impl Fn(usize, &m
 pub(crate) fn chunks<T: Send>(values: &mut [T], len: usize, f: impl Fn(usize, &mut [T]) + Sync + Send) {
     values.chunks_mut(len).enumerate().for_each(|(i, chunk)| f(i, chunk));
 }
+
+/// `f(i, piece)` for consecutive pieces of those lengths, on all threads of the current pool.
+#[cfg(feature = "threads")]
+pub(crate) fn pieces<T: Send>(
+    values: &mut [T],
+    lengths: impl Iterator<Item = usize>,
+    f: impl Fn(usize, &mut [T]) + Sync + Send,
+) {
+    use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
+    cut(values, lengths).into_par_iter().enumerate().for_each(|(i, piece)| f(i, piece));
+}
+
+/// `f(i, piece)` for consecutive pieces of those lengths.
+#[cfg(not(feature = "threads"))]
+pub(crate) fn pieces<T: Send>(
+    values: &mut [T],
+    lengths: impl Iterator<Item = usize>,
+    f: impl Fn(usize, &mut [T]) + Sync + Send,
+) {
+    cut(values, lengths).into_iter().enumerate().for_each(|(i, piece)| f(i, piece));
+}
+
+fn cut<T>(mut values: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
+    let next = |length| values.split_off_mut(..length).expect("pieces lie within the whole");
+    lengths.map(next).collect()
+}

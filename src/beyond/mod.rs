@@ -6,6 +6,8 @@ pub mod interlaced;
 pub mod irregular;
 pub mod jitter;
 pub mod refined;
+mod staircase;
+mod toeplitz;
 pub mod weighted;
 
 pub use bandpass::BandPass;

@@ -1,14 +1,12 @@
 //! Recovery from many irregular samples: weights by their gaps, conjugate gradients, a Toeplitz matrix.
 
-use crate::engine::fft::{Butterflies, RealFft, fast_length};
+use crate::beyond::toeplitz::Toeplitz;
 use crate::error::{Error, Result, all_finite};
 use crate::num::random::normal;
 use crate::sampled::harmonics::Places;
 use crate::signal::trigonometric::{TrigPolynomial, rising};
 use num_complex::Complex;
 use std::ops::Range;
-
-const NODES: &str = "rooms are as long as their transform";
 
 /// The equations of the trigonometric polynomial `p` of degree `K` that makes `Σ w_j (p(x_j) − v_j)²` least, where each
 /// sample weighs as much as the way half to both its neighbours is long.
@@ -40,6 +38,7 @@ pub struct Weighted {
     start: f64,
     period: f64,
     places: Places,
+    even: bool,
     weights: Vec<f64>,
     /// The transform of the weights up to twice the highest degree.
     gram: Vec<Complex<f64>>,
@@ -49,6 +48,12 @@ pub struct Weighted {
 const MOST_STEPS: usize = 10_000;
 /// Unknowns up to which all directions are kept orthogonal where conjugate gradients do not settle by themselves.
 const MOST_KEPT: usize = 2001;
+
+/// What is left of a residual when it is lost in rounding.
+const LOST: f64 = f64::EPSILON;
+/// What is left of a random one when all eigenvalues have been seen: of a million components the smallest is seldom below a
+/// millionth of the whole, and of that less than a hundredth is left.
+const SEEN: f64 = 1e-8;
 
 const UNDETERMINED: &str = "recovery from irregular samples by normal equations in double precision";
 const UNSETTLED: &str = "recovery from irregular samples by 10000 steps of conjugate gradients";
@@ -95,7 +100,14 @@ impl Weighted {
         };
         let weights: Vec<f64> = (0..n).map(|i| 0.5 * around(i)).collect();
         let gram = places.harmonics(&weights, 2 * most_degree)?;
-        Ok(Self { start, period: length, places, weights, gram })
+        Ok(Self { start, period: length, places, even: false, weights, gram })
+    }
+
+    /// The same equations for places and values that are their own reflection at the start of the period: all coefficients
+    /// are real then, and a step costs half. The rest of other values is not looked at.
+    #[must_use]
+    pub fn even(self) -> Self {
+        Self { even: true, ..self }
     }
 
     /// The highest degree that the equations were prepared for.
@@ -127,8 +139,12 @@ impl Weighted {
         }
         all_finite("values at irregular places", values)?;
         let weighted: Vec<f64> = values.iter().zip(&self.weights).map(|(v, w)| v * w).collect();
-        let wanted = self.places.harmonics(&weighted, degree)?;
-        let (mut coefficients, ritz) = Toeplitz::new(&self.gram, degree).settled(&wanted, f64::INFINITY);
+        let mut wanted = self.places.harmonics(&weighted, degree)?;
+        if self.even {
+            wanted.iter_mut().for_each(|sum| sum.im = 0.0);
+        }
+        let (mut coefficients, ritz) =
+            Toeplitz::new(&self.gram, degree, self.even).settled(&wanted, f64::INFINITY, LOST);
         if !ritz.settled {
             return Err(ill_conditioned(UNSETTLED, ritz.condition(), sure()));
         }
@@ -148,10 +164,11 @@ impl Weighted {
     pub fn condition(&self, degree: usize, most: f64) -> Result<f64> {
         const SEED: u64 = 1;
         self.prepared(degree)?;
-        let random = |k: u64| Complex::new(normal(SEED, k, 0), if k == 0 { 0.0 } else { normal(SEED, k, 1) });
+        let imaginary = |k: u64| if k == 0 || self.even { 0.0 } else { normal(SEED, k, 1) };
+        let random = |k: u64| Complex::new(normal(SEED, k, 0), imaginary(k));
         let wanted: Vec<Complex<f64>> = (0..=degree as u64).map(random).collect();
         let limit = determined(2 * degree + 1);
-        let (_, ritz) = Toeplitz::new(&self.gram, degree).settled(&wanted, most.min(limit));
+        let (_, ritz) = Toeplitz::new(&self.gram, degree, self.even).settled(&wanted, most.min(limit), SEEN);
         match ritz.condition() {
             // what rounding hides may be anything from there on
             condition if condition > limit && limit < most => {
@@ -175,66 +192,35 @@ fn ill_conditioned(what: &'static str, condition: f64, most: f64) -> Error {
     Error::IllConditioned { what, condition, most }
 }
 
-/// The Hermitian Toeplitz matrix `t_{k−l}`, `|k|, |l| ≤ K`, on coefficients of real signals, of which those from zero on
-/// are enough. A product with it is one of signals: the transform of the weights, cut off at `2K`, times the polynomial, on
-/// so many nodes (`4K + 1` at least) that what folds stays beyond `K`.
-struct Toeplitz {
-    degree: usize,
-    density: Vec<f64>,
-    fft: RealFft<f64>,
-    half: Vec<Complex<f64>>,
-    values: Vec<f64>,
-}
-
 impl Toeplitz {
-    fn new(gram: &[Complex<f64>], degree: usize) -> Self {
-        let n = fast_length(4 * degree + 2);
-        let fft = RealFft::with(n, Butterflies::Scalar).expect(NODES);
-        let mut half = vec![Complex::ZERO; n / 2 + 1];
-        half[..=2 * degree].copy_from_slice(&gram[..=2 * degree]);
-        let mut density = vec![0.0; n];
-        fft.inverse(&half, &mut density).expect(NODES);
-        density.iter_mut().for_each(|v| *v /= n as f64);
-        Self { degree, density, fft, half, values: vec![0.0; n] }
-    }
-
-    fn times(&mut self, coefficients: &[Complex<f64>]) -> &[Complex<f64>] {
-        self.half.fill(Complex::ZERO);
-        self.half[..=self.degree].copy_from_slice(coefficients);
-        self.fft.inverse(&self.half, &mut self.values).expect(NODES);
-        self.values.iter_mut().zip(&self.density).for_each(|(v, d)| *v *= d);
-        self.fft.forward(&self.values, &mut self.half).expect(NODES);
-        &self.half[..=self.degree]
-    }
-
     /// The solution, by steps whose directions are kept orthogonal if they do not settle otherwise.
-    fn settled(&mut self, wanted: &[Complex<f64>], most: f64) -> (Vec<Complex<f64>>, Ritz) {
-        let unknowns = 2 * self.degree + 1;
+    fn settled(&mut self, wanted: &[Complex<f64>], most: f64, enough: f64) -> (Vec<Complex<f64>>, Ritz) {
+        let unknowns = 2 * self.degree() + 1;
         if unknowns > MOST_KEPT {
-            return self.solve(wanted, most, MOST_STEPS, false);
+            return self.solve(wanted, [most, enough], MOST_STEPS, false);
         }
         // rounding may cost as many steps again as there are unknowns
-        let plain = self.solve(wanted, most, 2 * unknowns, false);
+        let plain = self.solve(wanted, [most, LOST], 2 * unknowns, false);
         if plain.1.settled || plain.1.condition() > most {
             return plain;
         }
-        self.solve(wanted, most, unknowns, true)
+        self.solve(wanted, [most, LOST], unknowns, true)
     }
 
-    /// Conjugate gradients from zero until the residual is lost in rounding, or the condition number is seen to exceed
+    /// Conjugate gradients from zero until the residual is that small a part, or the condition number is seen to exceed
     /// `most`, but for so many steps at most; where residuals are `kept`, each is made orthogonal to all before it, and as
     /// many steps as there are unknowns leave nothing.
     fn solve(
         &mut self,
         wanted: &[Complex<f64>],
-        most: f64,
+        [most, part]: [f64; 2],
         most_steps: usize,
         kept: bool,
     ) -> (Vec<Complex<f64>>, Ritz) {
         let mut solution = vec![Complex::ZERO; wanted.len()];
         let (mut residual, mut direction) = (wanted.to_vec(), wanted.to_vec());
         let mut square = inner(&residual, &residual);
-        let enough = square * f64::EPSILON * f64::EPSILON;
+        let enough = square * part * part;
         let (mut ritz, mut before) = (Ritz::default(), Vec::new());
         while square > enough && ritz.steps() < most_steps {
             let product = self.times(&direction);

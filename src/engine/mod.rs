@@ -4,6 +4,7 @@
 
 pub mod fft;
 pub mod film;
+pub mod nonuniform;
 pub mod real;
 pub mod resize;
 mod simd;

@@ -3,7 +3,7 @@
 use crate::error::{Result, unknown};
 use crate::laws::{
     Law, alias, coverage, cubics, discrepancy, film, frames, generalised, gibbs, hold, integration, jitter, kernels,
-    lattices, metrics, plane, point_spectra, poisson, scene, spacing, theorems, truncation, variance,
+    lattices, metrics, nonuniform, plane, point_spectra, poisson, scene, spacing, theorems, truncation, variance,
 };
 
 /// The themes, each with its laws.
@@ -25,6 +25,7 @@ static THEMES: &[&[Law]] = &[
     variance::LAWS,
     generalised::LAWS,
     frames::LAWS,
+    nonuniform::LAWS,
     plane::LAWS,
     lattices::LAWS,
     coverage::LAWS,

@@ -18,6 +18,7 @@ pub mod jitter;
 pub mod kernels;
 pub mod lattices;
 pub mod metrics;
+pub mod nonuniform;
 pub mod plane;
 pub mod point_spectra;
 pub mod poisson;

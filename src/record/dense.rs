@@ -1,27 +1,22 @@
 //! Trigonometric polynomials at many places.
 
-use crate::axis::{Axis, Edge};
-use crate::engine::fft::{Butterflies, RealFft, fast_length};
-use crate::kernel::regularised::Regularised;
+use crate::engine::fft::Butterflies;
+use crate::engine::nonuniform::Nufft;
 use crate::parallel;
-use crate::reconstruct::reconstruct;
-use crate::sampled::Samples;
 use crate::signal::Signal;
 use crate::signal::trigonometric::TrigPolynomial;
-use num_complex::Complex;
+use std::sync::Arc;
 
-const NODES: &str = "rooms are as long as their transform";
-
-/// Up to this degree Horner's rule is no slower than the kernel below.
+/// Up to this degree Horner's rule is no slower than the grid below.
 const FEW: usize = 128;
-/// Of the kernel that reads between the nodes: `e^{−π·½·46/2} = 2·10⁻¹⁶`.
-const RADIUS: f64 = 46.0;
+/// The error of the sums over it, as a part of the sum of the coefficients' sizes.
+const TOLERANCE: f64 = 1e-13;
 
-/// A trigonometric polynomial of high degree that is quick to evaluate: its values on twice as many nodes as it needs, by
-/// the fast transform, and the regularised sinc between them.
+/// A trigonometric polynomial of high degree that is quick to evaluate: from the grid of a
+/// [non-uniform transform](Nufft), where a value costs 16 terms whatever the degree.
 ///
-/// The nodes see the polynomial fill half of their band at most, so that the error is below `e^{−πn/4}` for the radius
-/// `n = 46`: rounding of the sum of the coefficients' sizes. A value costs 92 terms whatever the degree.
+/// The error is below `10⁻¹³` times the sum of the coefficients' sizes, to which Horner's rule adds up roundings of
+/// `2Kε`.
 ///
 /// ```
 /// use nyquist::laws::frames::random_polynomial;
@@ -32,13 +27,19 @@ const RADIUS: f64 = 46.0;
 /// let dense = Dense::of(p.clone());
 /// let worst = (0..100).map(|i| 0.1234 * f64::from(i)).map(|x| (dense.at(x) - p.at(x)).abs()).fold(0.0, f64::max);
 /// // Horner's rule itself rounds by up to 2Kε of that
-/// assert!(worst < 2000.0 * f64::EPSILON * size, "{worst:e} {size}");
+/// assert!(worst < (1e-13 + 2000.0 * f64::EPSILON) * size, "{worst:e} {size}");
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Dense {
     polynomial: TrigPolynomial,
-    nodes: Option<(Samples, Regularised)>,
+    fine: Option<Arc<Fine>>,
+}
+
+#[derive(Debug)]
+struct Fine {
+    nufft: Nufft<f64>,
+    grid: Vec<f64>,
 }
 
 impl Dense {
@@ -46,21 +47,24 @@ impl Dense {
     pub fn of(polynomial: TrigPolynomial) -> Self {
         let degree = polynomial.degree();
         if degree <= FEW {
-            return Self { polynomial, nodes: None };
+            return Self { polynomial, fine: None };
         }
-        let n = fast_length(4 * degree + 4);
-        let mut half = vec![Complex::ZERO; n / 2 + 1];
-        half[..=degree].copy_from_slice(polynomial.coefficients());
-        let mut values = vec![0.0; n];
-        RealFft::with(n, Butterflies::Scalar).and_then(|fft| fft.inverse(&half, &mut values)).expect(NODES);
-        // positions as parts of the period: nothing to be checked, and nothing lost far from zero
-        let axis = Axis::new(0.0, 1.0 / n as f64, n).expect("a whole number of nodes between zero and one");
-        let kernel = Regularised::for_band(RADIUS, 0.5).expect("a radius and a band within their ranges");
-        Self { polynomial, nodes: Some((Samples::trusted(axis, values), kernel)) }
+        let fine = Nufft::with(degree, 1, TOLERANCE, Butterflies::Scalar)
+            .and_then(|nufft| Ok(Fine { grid: nufft.grid(polynomial.coefficients())?, nufft }));
+        Self { polynomial, fine: fine.ok().map(Arc::new) }
     }
 
     /// The values at many places, on all threads.
     pub fn at_all(&self, places: &[f64]) -> Vec<f64> {
+        if let Some(fine) = &self.fine {
+            let parts: Vec<f64> = places.iter().map(|x| self.part(*x)).collect();
+            let mut values = vec![0.0; places.len()];
+            let read = |placed| fine.nufft.values_from(&fine.grid, &placed, &mut values);
+            if fine.nufft.place(&parts).and_then(read).is_ok() {
+                return values;
+            }
+        }
+        // few coefficients, or a place that is not finite
         parallel::map(places.len(), |i| self.at(places[i]))
     }
 
@@ -68,16 +72,19 @@ impl Dense {
     pub fn polynomial(&self) -> &TrigPolynomial {
         &self.polynomial
     }
+
+    /// A place as a part of the period: nothing is lost far from zero.
+    fn part(&self, x: f64) -> f64 {
+        let part = (x - self.polynomial.start()) / self.polynomial.period();
+        part - part.floor()
+    }
 }
 
 impl Signal for Dense {
     fn at(&self, x: f64) -> f64 {
-        match &self.nodes {
+        match &self.fine {
             None => self.polynomial.at(x),
-            Some((samples, kernel)) => {
-                let part = (x - self.polynomial.start()) / self.polynomial.period();
-                reconstruct(samples, *kernel).edge(Edge::Wrap).at(part - part.floor())
-            }
+            Some(fine) => fine.nufft.value(&fine.grid, self.part(x)).expect("its own grid"),
         }
     }
 }

@@ -81,7 +81,11 @@ impl<'a> Interpolated<'a> {
 
     /// The values at many places, on all threads.
     pub fn at_all(&self, places: &[f64]) -> Vec<f64> {
-        parallel::map(places.len(), |i| self.at(places[i]))
+        match self.engines.as_slice() {
+            [Engine::Polynomial(dense)] => dense.at_all(places),
+            [Engine::Recovered(recovered)] => recovered.at_all(places),
+            _ => parallel::map(places.len(), |i| self.at(places[i])),
+        }
     }
 
     /// Where kernels are used, the part of the energy that lies beyond the band they were made for: it is damped, and what

@@ -46,6 +46,29 @@ impl Recoverable {
         band: Option<f64>,
         most_condition: f64,
     ) -> Result<Self> {
+        let mut recoverable = Self::of_period(positions, nodes, edge, band, most_condition)?;
+        let (n, degree) = (positions.len(), recoverable.degree);
+        let unknowns = if recoverable.mirrored { degree + 1 } else { 2 * degree + 1 };
+        if n >= unknowns + SPARE {
+            let fit = |values: &[f64]| recoverable.polynomial(values);
+            let weights: Vec<f64> = recoverable.equations.weights()[..n].to_vec();
+            recoverable.ends = Ends::new(&recoverable.positions, &weights, fit)?;
+        }
+        Ok(recoverable)
+    }
+
+    /// The same for [`fit_period`](Self::fit_period) alone, without polynomials beside the period: [`fit`](Self::fit) then
+    /// is that, too.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn of_period(
+        positions: &[f64],
+        nodes: Option<&[usize]>,
+        edge: Edge,
+        band: Option<f64>,
+        most_condition: f64,
+    ) -> Result<Self> {
         let n = positions.len();
         if n < 2 {
             return Err(Error::TooFew { what: "irregular samples to recover a signal from", least: 2, got: n });
@@ -88,6 +111,7 @@ impl Recoverable {
         let asked = band.map(of_band).transpose()?;
         let part = |part: f64| (part * determined as f64).floor() as usize;
         let equations = Weighted::new(start..start + period, places, asked.unwrap_or(part(PARTS[0])))?;
+        let equations = if mirrored { equations.even() } else { equations };
         let (degree, condition) = match asked {
             Some(degree) => (degree, equations.condition(degree, most_condition)?),
             None => {
@@ -98,14 +122,7 @@ impl Recoverable {
             }
         };
         let (positions, ends) = (positions.to_vec(), Ends::none(positions));
-        let mut recoverable = Self { equations, mirrored, degree, condition, positions, ends };
-        let unknowns = if mirrored { degree + 1 } else { 2 * degree + 1 };
-        if n >= unknowns + SPARE {
-            let fit = |values: &[f64]| recoverable.polynomial(values);
-            let weights: Vec<f64> = recoverable.equations.weights()[..n].to_vec();
-            recoverable.ends = Ends::new(&recoverable.positions, &weights, fit)?;
-        }
-        Ok(recoverable)
+        Ok(Self { equations, mirrored, degree, condition, positions, ends })
     }
 
     /// The band that is recovered.

@@ -1,11 +1,12 @@
 //! The spectrum of weights at the harmonics of a period: the sums that all work with irregular samples consists of.
 
-use crate::engine::fft::{Butterflies, RealFft, fast_length};
+use crate::engine::fft::{Butterflies, RealFft};
+use crate::engine::nonuniform::{Nufft, Placed};
 use crate::error::{Error, Result};
 use crate::num::{cos_pi, sin_pi};
 use crate::parallel;
 use num_complex::Complex;
-use std::f64::consts::PI;
+use std::sync::Arc;
 
 const NODES: &str = "rooms are as long as their transform";
 
@@ -52,12 +53,8 @@ impl Places {
     ///
     /// On a grid by the fast transform, exact to rounding at any order. Anywhere by the direct sum while that is short:
     /// waves are computed as powers, from a fresh one every 512 harmonics, so that each is off by at most about `10³ε` and
-    /// the rounding `πmε` of its argument. Longer ones by the fast transform of weights that Gaussians spread over a grid of
-    /// at least `N = 4(order + 1)` nodes (Dutt and Rokhlin 1993; Greengard and Lee 2004): `O(n + N log N)`, off by at most
-    /// `(4e^{−2π·17/3} + 90 ε log₂ N) Σ|w_j|` beside the same `πmε` and the `nε` of adding up `n` terms. The first part is
-    /// the bound of Steidl (*A note on fast Fourier transforms for nonequispaced grids*, 1998) for Gaussians cut off 17
-    /// nodes from their middle and twofold oversampling; in the second the rounding of the transform is divided by a
-    /// Gaussian that falls to 1/86. The same bits for any number of threads.
+    /// the rounding `πmε` of its argument. Longer ones by the [non-uniform transform](Nufft), off by at most `10⁻¹³ Σ|w_j|`
+    /// beside the same `πmε` and the `nε` of adding up `n` terms. The same bits for any number of threads.
     ///
     /// ```
     /// use nyquist::sampled::harmonics::Places;
@@ -71,21 +68,60 @@ impl Places {
     ///
     /// # Errors
     /// A number of weights other than that of places; [`Error::Overflow`] for places anywhere and an order above
-    /// [`MOST_ORDER`].
+    /// [`MOST_ORDER`]; places that are not finite, where there are many.
     pub fn harmonics(&self, weights: &[f64], order: usize) -> Result<Vec<Complex<f64>>> {
-        if weights.len() != self.len() {
-            return Err(Error::Length { what: "weights at places", expected: self.len(), got: weights.len() });
-        }
-        match self {
-            Self::Grid { nodes, taken } => Ok(on_grid(*nodes, taken, weights, order)),
+        self.up_to(order)?.of(weights)
+    }
+
+    /// The same for any number of weights, prepared once.
+    ///
+    /// # Errors
+    /// As [`harmonics`](Self::harmonics).
+    pub fn up_to(&self, order: usize) -> Result<Harmonics> {
+        let way = match self {
+            Self::Grid { nodes, taken } => Way::Grid { nodes: *nodes, taken: taken.clone() },
             Self::Anywhere(_) if order > MOST_ORDER => {
                 let (what, value) = ("the number of frequencies over irregular samples", order as f64);
-                Err(Error::Overflow { what, value, most: MOST_ORDER as f64 })
+                return Err(Error::Overflow { what, value, most: MOST_ORDER as f64 });
             }
-            Self::Anywhere(parts) if parts.len() as f64 * (order + 1) as f64 <= SHORT => {
-                Ok(directly(parts, weights, order))
+            Self::Anywhere(parts) if parts.len() as f64 * (order + 1) as f64 <= SHORT => Way::Direct(parts.clone()),
+            Self::Anywhere(parts) => {
+                let nufft = Nufft::with(order, 1, TOLERANCE, Butterflies::Scalar)?;
+                Way::Fast { placed: Arc::new(nufft.place(parts)?), nufft: Arc::new(nufft) }
             }
-            Self::Anywhere(parts) => Ok(gridded(parts, weights, order)),
+        };
+        Ok(Harmonics { len: self.len(), order, way })
+    }
+}
+
+/// Places, prepared for [sums](Places::harmonics) up to one order.
+#[derive(Debug, Clone)]
+pub struct Harmonics {
+    len: usize,
+    order: usize,
+    way: Way,
+}
+
+#[derive(Debug, Clone)]
+enum Way {
+    Grid { nodes: usize, taken: Vec<usize> },
+    Direct(Vec<f64>),
+    Fast { nufft: Arc<Nufft<f64>>, placed: Arc<Placed<1>> },
+}
+
+impl Harmonics {
+    /// `Σ_j w_j e^{−2πimu_j}` for `0 ≤ m ≤ order`.
+    ///
+    /// # Errors
+    /// A number of weights other than that of places.
+    pub fn of(&self, weights: &[f64]) -> Result<Vec<Complex<f64>>> {
+        if weights.len() != self.len {
+            return Err(Error::Length { what: "weights at places", expected: self.len, got: weights.len() });
+        }
+        match &self.way {
+            Way::Grid { nodes, taken } => Ok(on_grid(*nodes, taken, weights, self.order)),
+            Way::Direct(parts) => Ok(directly(parts, weights, self.order)),
+            Way::Fast { nufft, placed } => nufft.spectrum(placed, weights),
         }
     }
 }
@@ -104,6 +140,8 @@ fn on_grid(nodes: usize, taken: &[usize], weights: &[f64], order: usize) -> Vec<
 
 /// Products of a direct sum that is as quick as spreading and a transform.
 const SHORT: f64 = (1 << 18) as f64;
+/// What a longer sum may be off by, as a part of that of the weights' sizes.
+const TOLERANCE: f64 = 1e-13;
 /// Harmonics that share one fresh wave.
 const BLOCK: usize = 512;
 /// Points whose powers are multiplied side by side: they need not wait for each other.
@@ -129,42 +167,4 @@ fn directly(parts: &[f64], weights: &[f64], order: usize) -> Vec<Complex<f64>> {
         }
     });
     sums
-}
-
-/// Nodes to either side of a weight over which it is spread.
-const REACH: usize = 17;
-
-/// The transform of the weights convolved with `e^{−(Nu)²/b}/√(πb)` on `N` nodes, over `e^{−b(πm/N)²}`; with twofold
-/// oversampling `b = 4·17/(3π)` makes what folds as small as what is cut off.
-fn gridded(parts: &[f64], weights: &[f64], order: usize) -> Vec<Complex<f64>> {
-    let b = 4.0 * REACH as f64 / (3.0 * PI);
-    let n = fast_length((4 * (order + 1)).max(2 * REACH + 2));
-    let aside: [f64; REACH + 1] = std::array::from_fn(|l| (-((l * l) as f64) / b).exp() / (PI * b).sqrt());
-    let mut nodes = vec![0.0; n];
-    let mut spread = [0.0; 2 * REACH + 1];
-    for (part, weight) in parts.iter().zip(weights) {
-        let place = part.rem_euclid(1.0) * n as f64;
-        let nearest = place.round();
-        // e^{−(d − l)²/b} is the product of e^{−d²/b}, of (e^{2d/b})^l and of e^{−l²/b}, which is the same for all weights
-        let off = place - nearest;
-        let (middle, turn) = (weight * (-off * off / b).exp(), (2.0 * off / b).exp());
-        let (mut up, mut down, back) = (middle, middle, 1.0 / turn);
-        spread[REACH] = middle * aside[0];
-        for l in 1..=REACH {
-            up *= turn;
-            down *= back;
-            spread[REACH + l] = up * aside[l];
-            spread[REACH - l] = down * aside[l];
-        }
-        let first = (nearest as usize + n - REACH) % n;
-        // what passes the end of the period comes in at its start
-        let whole = (n - first).min(spread.len());
-        nodes[first..first + whole].iter_mut().zip(&spread).for_each(|(node, v)| *node += v);
-        nodes.iter_mut().zip(&spread[whole..]).for_each(|(node, v)| *node += v);
-    }
-    let mut half = vec![Complex::ZERO; n / 2 + 1];
-    RealFft::with(n, Butterflies::Scalar).and_then(|fft| fft.forward(&nodes, &mut half)).expect(NODES);
-    half.truncate(order + 1);
-    half.iter_mut().enumerate().for_each(|(m, sum)| *sum *= (b * (PI * m as f64 / n as f64).powi(2)).exp());
-    half
 }

@@ -8,7 +8,8 @@ use num_complex::Complex;
 ///
 /// The plain sum, without a unit: what it should be divided by depends on what the impulses are. For negative `m` it is
 /// the conjugate, weights being real. The waves are computed as powers; the rounding error of each is about `2mε` beyond
-/// that of its argument.
+/// that of its argument. For many there are [`Places`](crate::sampled::harmonics::Places) and the engine's
+/// [`Nufft`](crate::engine::nonuniform::Nufft), which are held against this sum.
 ///
 /// ```
 /// use nyquist::sampled::nonuniform::transform;

@@ -1,5 +1,6 @@
 //! V25 by conjugate gradients, beside the singular values of [`Irregular`] and the bound of Gröchenig.
 
+use num_complex::Complex;
 use nyquist::beyond::Weighted;
 use nyquist::laws::frames::{jittered_cells, random_polynomial};
 use nyquist::num::random::uniform;
@@ -85,6 +86,28 @@ fn ten_thousand_irregular_samples_in_a_moment() {
     let condition = equations.condition(4_000, 1e3).unwrap();
     let bound = f64::EPSILON * condition * condition * 8_000.0 * 8_001f64.sqrt() * f.rms();
     assert!(distance(&f, &found) < bound, "{:e} {bound:e}", distance(&f, &found));
+}
+
+#[test]
+fn a_record_and_its_reflection_need_cosines_alone() {
+    let n = 900u32;
+    let half: Vec<f64> = (0..n).map(|k| (f64::from(k) + 0.7 * uniform(11, k.into(), 0)) / f64::from(2 * n)).collect();
+    let places: Vec<f64> = half.iter().copied().chain(half.iter().rev().map(|u| 1.0 - u)).collect();
+    let degree = 700;
+    let even = random_polynomial(12, 1.0, degree).unwrap();
+    let cosines = even.coefficients().iter().map(|c| Complex::from(c.re)).collect();
+    let even = TrigPolynomial::new(0.0..1.0, cosines).unwrap();
+    let values: Vec<f64> = places.iter().map(|&u| even.at(u)).collect();
+    let general = Weighted::new(0.0..1.0, Places::Anywhere(places), degree).unwrap();
+    let condition = general.condition(degree, 100.0).unwrap();
+    let cosines = general.clone().even();
+    // the even signals are some of all; what is seen of either is good to a few per cent
+    let of_cosines = cosines.condition(degree, 100.0).unwrap();
+    assert!(of_cosines <= 1.05 * condition, "{of_cosines} {condition}");
+    let (all, few) = (general.fit(&values, degree).unwrap(), cosines.fit(&values, degree).unwrap());
+    let bound = f64::EPSILON * condition * condition * 1400.0 * 1401f64.sqrt() * even.rms();
+    assert!(distance(&even, &all) < bound && distance(&even, &few) < bound);
+    assert!(few.coefficients().iter().all(|c| c.im == 0.0));
 }
 
 #[test]

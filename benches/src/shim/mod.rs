@@ -5,6 +5,7 @@
 
 mod fft;
 mod film;
+mod nonuniform;
 mod plane;
 mod points;
 mod resize;

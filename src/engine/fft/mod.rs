@@ -59,8 +59,10 @@ mod streams;
 
 pub use butterflies::Butterflies;
 pub use complex::Fft;
-pub use length::fast_length;
+pub(in crate::engine) use length::fast_multiple;
+pub use length::{fast_length, long_length};
 pub(crate) use physical::phase;
 pub use physical::{PhysicalFft, PhysicalRealFft};
 pub use plane::PlaneFft;
+pub(in crate::engine) use pool::Pool;
 pub use real_fft::RealFft;

@@ -102,7 +102,7 @@ fn resolve(sampling: &Sampling, stretch: Range<usize>, rest: &[f64]) -> Result<(
         let bin = |k: usize| [k as f64 / axis.span(), once(k) * half[k].norm_sqr()];
         return Ok(((0..=n / 2).map(bin).collect(), axis.nyquist()));
     }
-    let recoverable = Recoverable::new(positions, sampling.nodes_of(stretch), Edge::Wrap, None, f64::INFINITY)?;
+    let recoverable = Recoverable::of_period(positions, sampling.nodes_of(stretch), Edge::Wrap, None, f64::INFINITY)?;
     let (dense, misfit) = recoverable.fit_period(&values)?;
     let polynomial = dense.polynomial();
     let once = |k: usize| if k == 0 { 1.0 } else { 2.0 };

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result, all_finite, positive};
 use crate::record::{Kind, Sampling};
-use crate::sampled::harmonics::{MOST_ORDER, Places};
+use crate::sampled::harmonics::{Harmonics, MOST_ORDER, Places};
 use crate::sampled::window::Window;
 use num_complex::Complex;
 
@@ -11,7 +11,8 @@ use num_complex::Complex;
 pub(super) struct Frame {
     /// From the first position on.
     pub(super) times: Vec<f64>,
-    pub(super) places: Places,
+    /// Sums over the positions.
+    sums: Harmonics,
     /// Of the window; their sum is one.
     pub(super) weights: Vec<f64>,
     /// The record's length `L`, one mean step after the last position.
@@ -63,7 +64,8 @@ impl Frame {
         let sum: f64 = weights.iter().sum();
         weights.iter_mut().for_each(|w| *w /= sum);
         let window = places.harmonics(&weights, 2 * order + 2)?;
-        Ok(Self { times, places, weights, length, order, window, nodes })
+        let sums = places.up_to(order)?;
+        Ok(Self { times, sums, weights, length, order, window, nodes })
     }
 
     /// The transform of values under the window, whose weighted mean is taken away first, and that mean.
@@ -75,7 +77,7 @@ impl Frame {
         all_finite("values of a record", values)?;
         let mean: f64 = values.iter().zip(&self.weights).map(|(v, w)| v * w).sum();
         let weighted: Vec<f64> = values.iter().zip(&self.weights).map(|(v, w)| (v - mean) * w).collect();
-        Ok((self.places.harmonics(&weighted, self.order)?, mean))
+        Ok((self.sums.of(&weighted)?, mean))
     }
 
     /// `nΣw²/(Σw)²`: how many bins of noise pass the window.

@@ -1,5 +1,6 @@
 //! The power spectrum of points.
 
+use crate::engine::nonuniform::PlaneNufft;
 use crate::error::{Error, Result};
 use crate::num::random::bits;
 use crate::num::{cos_pi, sin_pi};
@@ -14,8 +15,10 @@ use ndarray::Array2;
 /// points have the mean 1 everywhere else, and one pattern's value is about exponentially distributed around its
 /// expectation, so that the mean over `R` patterns deviates by `P/√R`. `P(−u, −v) = P(u, v)`.
 ///
-/// Sums of `N·(reach + 1)²` products, each of which serves four frequencies: exponentials are separable, and their powers
-/// come by recurrence. Rounding: each power is off by `2ε·reach`, so `P` by `8ε·reach·√(N·P)` and less.
+/// Up to 2²⁴ products `N·(reach + 1)²` they are summed, each for four frequencies: exponentials are separable, and their
+/// powers come by recurrence. Rounding: each power is off by `2ε·reach`, so `P` by `8ε·reach·√(N·P)` and less. Beyond, in
+/// `O(N + reach² log reach)`, by the [non-uniform transform](PlaneNufft) with an error of at most `10⁻¹²N` of the sum, so
+/// of `2·10⁻¹²N·√(P/N)` of `P` and, where `P` vanishes, of `10⁻²⁴N`.
 ///
 /// ```
 /// use nyquist::prelude::*;
@@ -59,9 +62,14 @@ impl Periodogram {
     fn sum<P: AsRef<[[f64; 2]]>>(sets: impl IntoIterator<Item = P>, reach: usize) -> Result<Self> {
         let side = 2 * reach + 1;
         let (mut power, mut patterns, mut total) = (Array2::zeros([side, side]), 0, 0.0);
+        let mut fast = None;
         for points in sets {
             let points = points.as_ref();
-            add_power(points, reach, &mut power);
+            if points.len().saturating_mul((reach + 1).pow(2)) <= SHORT {
+                add_power(points, reach, &mut power);
+            } else {
+                fast.get_or_insert_with(|| Fast::new(reach)).add_power(points, &mut power);
+            }
             patterns += 1;
             total += points.len() as f64;
         }
@@ -117,6 +125,42 @@ fn reachable(reach: usize) -> Result<usize> {
     }
     let what = "the reach of a periodogram";
     Err(Error::Overflow { what, value: reach as f64, most: MOST_REACH as f64 })
+}
+
+/// The most products that are summed.
+const SHORT: usize = 1 << 24;
+
+/// The fast way, kept from one pattern to the next.
+struct Fast {
+    nufft: PlaneNufft<f64>,
+    power: Vec<f64>,
+}
+
+impl Fast {
+    fn new(reach: usize) -> Self {
+        let nufft = PlaneNufft::new([reach; 2], [1; 2], 1e-12).expect("a reach of at most 1024 is a degree");
+        Self { power: vec![0.0; nufft.modes()], nufft }
+    }
+
+    /// Adds `|Σ e^{−2πi(ux + vy)}|²/N`.
+    fn add_power(&mut self, points: &[[f64; 2]], power: &mut Array2<f64>) {
+        let Ok(placed) = self.nufft.place(points) else {
+            return add_power(points, self.nufft.degrees()[0], power); // points that are not finite: NaN
+        };
+        let found = self.nufft.power_into(&placed, &vec![1.0; points.len()], &mut self.power);
+        found.expect("a weight for each point, and room");
+        let (reach, gain) = (self.nufft.degrees()[0], 1.0 / points.len() as f64);
+        for (u, column) in self.power.chunks_exact(2 * reach + 1).enumerate() {
+            for k in 0..column.len() {
+                // of the first column both halves are there, and need not agree to the last bit
+                let p = column[if u == 0 { k.max(2 * reach - k) } else { k }] * gain;
+                power[[k, reach + u]] += p;
+                if u > 0 {
+                    power[[2 * reach - k, reach - u]] += p;
+                }
+            }
+        }
+    }
 }
 
 /// How many points are taken together, so that the table of sums is read and written once for all of them.

@@ -41,19 +41,14 @@ pub struct Spectrum {
     pub rings: Vec<Ring>,
 }
 
-/// How many products the periodogram may take: two seconds.
-const MOST_WORK: f64 = 2e9;
-
 impl Spectrum {
-    /// Of points in the plane, at frequencies up to `2√N`, and fewer where that would take long; in rings of width 1, and
-    /// wider ones where there are many.
+    /// Of points in the plane, at frequencies up to `2√N`, or 140 at most; in rings of width 1, and wider ones where there
+    /// are many.
     ///
     /// # Errors
     /// No points, or points outside the unit square.
     pub fn of(points: &[[f64; 2]]) -> Result<Self> {
-        let n = points.len() as f64;
-        let wanted = 2.0 * n.sqrt();
-        let reach = wanted.min((MOST_WORK / n).sqrt()).clamp(8.0, 140.0) as usize;
+        let reach = (2.0 * (points.len() as f64).sqrt()).clamp(8.0, 140.0) as usize;
         let periodogram = Periodogram::of(points, reach)?;
         let rings = rings(&periodogram, (reach as f64 / 48.0).ceil())?;
         Ok(Self { periodogram, rings })
