@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # nyquist beside the libraries of Python, in one process, taking turns; then RESULTS.md.
-# Usage: benches/python/run.sh [--rounds N] [JOB…]; a job is a script of this folder: fft, plane, interpolant, points, …
+# Usage: benches/python/run.sh [--rounds N] [JOB…]; a job is a script of this folder: fft, plane, interpolant, …
 set -euo pipefail
 cd "$(dirname "$0")"
 rounds=15
 if [ "${1:-}" = --rounds ]; then rounds=$2; shift 2; fi
 jobs=("$@")
-if [ ${#jobs[@]} = 0 ]; then jobs=(fft plane interpolant resize spectrum points film figures); fi
+if [ ${#jobs[@]} = 0 ]; then jobs=(fft plane interpolant sound resize spectrum points film figures); fi
 
 # what Python cannot bring along: FFTW itself stands in its wheel; resize uses libzimg2 of Debian where it is installed
 test -d venv || python3 -m venv venv

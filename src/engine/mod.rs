@@ -7,6 +7,6 @@ pub mod film;
 pub mod nonuniform;
 pub mod real;
 pub mod resize;
-mod simd;
+pub(crate) mod simd;
 
 pub use simd::Arithmetic;

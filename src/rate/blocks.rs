@@ -1,9 +1,14 @@
 //! Ratios of whole numbers: window by window, through the spectrum.
 
-use crate::engine::fft::{Butterflies, RealFft, fast_length};
+use crate::engine::fft::{Butterflies, Pool, RealFft};
+use crate::engine::real::Real;
+use crate::parallel;
 use crate::rate::design::LowPass;
+use crate::rate::frames::{Frames, write};
 use crate::rate::quality::Quality;
+use bytemuck::cast_slice_mut;
 use num_complex::Complex;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Windows are at least so long, at the lower rate.
 const LEAST_WINDOW: usize = 2048;
@@ -12,24 +17,29 @@ const MOST_WINDOW: usize = 1 << 20;
 
 const WINDOW: &str = "rooms are as long as their windows";
 
-/// A conversion by `up/down`, low-passed: what all channels share.
-pub(super) struct Blocks {
-    forward: RealFft<f64>,
-    inverse: RealFft<f64>,
+/// A conversion by `up/down`, low-passed, and the frames that wait for their window.
+pub(super) struct Blocks<T> {
+    forward: RealFft<T>,
+    inverse: RealFft<T>,
     /// The filter at the frequencies that both windows have, over the length of the input's window.
-    gains: Vec<f64>,
+    gains: Vec<T>,
     up: usize,
     down: usize,
     /// A window is so many times `down` samples, and becomes as many times `up`.
     window: usize,
     /// So many of them at either side are touched by the neighbouring windows' samples.
     side: usize,
+    channels: usize,
+    /// So many frames of silence come before the first.
+    lead: usize,
+    kept: Vec<T>,
+    rooms: Pool<T>,
 }
 
-impl Blocks {
-    /// Up and down without a common divisor; the band ends at `scale ≤ 1` of the lower Nyquist frequency of both rates.
-    pub(super) fn new(up: usize, down: usize, scale: f64, quality: Quality) -> Self {
-        let (filter, window, side) = plan(up, down, scale, quality);
+impl<T: Real> Blocks<T> {
+    /// With `lead` frames of silence before the first.
+    pub(super) fn new(design: Design, channels: usize, lead: usize, butterflies: Butterflies) -> Self {
+        let Design { up, down, filter, window, side } = design;
         let low = up.min(down) * window;
         let reach = filter.radius().floor() as usize;
         // the filter at the samples of the lower rate, those before zero at the end
@@ -39,71 +49,133 @@ impl Blocks {
             taps[(low - i) % low] = taps[i];
         }
         let mut spectrum = vec![Complex::default(); low / 2 + 1];
-        let real_fft = |n| RealFft::with(n, Butterflies::Scalar).expect(WINDOW);
-        real_fft(low).forward(&taps, &mut spectrum).expect(WINDOW);
+        let real_fft = RealFft::<f64>::with(low, Butterflies::Scalar).expect(WINDOW);
+        real_fft.forward(&taps, &mut spectrum).expect(WINDOW);
         // divided by the sum of the taps, so that a constant stays one
         let scale = 1.0 / (spectrum[0].re * (down * window) as f64);
-        let gains = spectrum[..low / 2].iter().map(|z| z.re * scale).collect();
-        let (forward, inverse) = (real_fft(down * window), real_fft(up * window));
-        Self { forward, inverse, gains, up, down, window, side }
+        let gains = spectrum[..low / 2].iter().map(|z| T::of(z.re * scale)).collect();
+        let plan = |n| RealFft::with(n, butterflies).expect(WINDOW);
+        let (forward, inverse, rooms) = (plan(down * window), plan(up * window), Pool::new());
+        let kept = Vec::with_capacity(down * window * channels);
+        let mut blocks = Self { forward, inverse, gains, up, down, window, side, channels, lead, kept, rooms };
+        blocks.reset();
+        blocks
+    }
+
+    /// How many frames a window uses up.
+    fn used(&self) -> usize {
+        (self.window - 2 * self.side) * self.down
+    }
+
+    /// How many frames they become.
+    fn made(&self) -> usize {
+        (self.window - 2 * self.side) * self.up
+    }
+
+    /// How many frames come, at most, after the time of a frame before it is made.
+    pub(super) fn delay(&self) -> usize {
+        (self.window - self.side) * self.down
+    }
+
+    /// The same, if `more` frames after it must be made, too.
+    pub(super) fn delay_with(&self, more: usize) -> usize {
+        self.delay() + (more * self.down).div_ceil(self.up)
+    }
+
+    /// Takes frames, and appends to `out` what they decide.
+    pub(super) fn push(&mut self, frames: &[T], out: &mut Vec<T>) {
+        let there = (self.kept.len() + frames.len()) / self.channels;
+        let windows = there.checked_sub(self.window * self.down).map_or(0, |more| more / self.used() + 1);
+        let start = out.len();
+        out.resize(start + windows * self.made() * self.channels, T::zero());
+        self.fill(frames, &mut out[start..]);
+        let gone = windows * self.used() * self.channels;
+        let new = gone.saturating_sub(self.kept.len());
+        self.kept.drain(..gone - new);
+        self.kept.extend_from_slice(&frames[new..]);
+    }
+
+    /// What comes next, if after these frames there is silence; false if a value was not finite, or a sum of values.
+    pub(super) fn fill(&self, frames: &[T], out: &mut [T]) -> bool {
+        let finite = AtomicBool::new(true);
+        let channels = self.channels;
+        let frames = Frames { kept: &self.kept, came: frames, channels };
+        let (length, longer) = (self.down * self.window, self.up * self.window);
+        let halves = length.max(longer) / 2 + 1;
+        let from = self.side * self.up;
+        parallel::chunks(out, self.made() * channels, |number, out| {
+            // both lengths are even
+            self.rooms.lend(halves + length + longer, |room| {
+                let (spectrum, room) = room.split_at_mut(halves);
+                let (values, made) = room.split_at_mut(length);
+                let (values, made): (&mut [T], &mut [T]) = (cast_slice_mut(values), cast_slice_mut(made));
+                for channel in (0..channels).step_by(2) {
+                    let lines = (channels - channel).min(2);
+                    let (values, made) = (&mut values[..lines * length], &mut made[..lines * longer]);
+                    frames.read(channel, number * self.used(), length, values);
+                    for (values, made) in values.chunks_exact(length).zip(made.chunks_exact_mut(longer)) {
+                        self.convert(values, spectrum, made);
+                        // the sum of all values: of one that is not finite nothing finite can come
+                        if !spectrum[0].re.is_finite() {
+                            finite.store(false, Relaxed);
+                        }
+                    }
+                    write(made, longer, from, channel, channels, out);
+                }
+            });
+        });
+        finite.into_inner()
+    }
+
+    /// Forgets all frames.
+    pub(super) fn reset(&mut self) {
+        self.kept.clear();
+        self.kept.resize((self.side * self.down + self.lead) * self.channels, T::zero());
+    }
+
+    /// A window at the other rate.
+    fn convert(&self, values: &[T], spectrum: &mut [Complex<T>], made: &mut [T]) {
+        self.forward.forward(values, &mut spectrum[..values.len() / 2 + 1]).expect(WINDOW);
+        let half = &mut spectrum[..made.len() / 2 + 1];
+        let (common, beyond) = half.split_at_mut(self.gains.len());
+        common.iter_mut().zip(&self.gains).for_each(|(z, gain)| *z = z.scale(*gain));
+        beyond.fill(Complex::default());
+        self.inverse.inverse(half, made).expect(WINDOW);
+    }
+}
+
+/// The shape of a conversion.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Design {
+    up: usize,
+    down: usize,
+    /// In samples of the lower rate.
+    filter: LowPass,
+    window: usize,
+    side: usize,
+}
+
+impl Design {
+    /// Up and down without a common divisor; the band ends at `scale ≤ 1` of the lower Nyquist frequency of both rates.
+    pub(super) fn new(up: usize, down: usize, scale: f64, quality: Quality) -> Self {
+        let filter = quality.low_pass(0.5 * scale);
+        let reach = filter.radius().ceil() as usize + 1;
+        let (low, high) = (up.min(down), up.max(down));
+        let side = reach.div_ceil(low);
+        // what is thrown away against the logarithm of the length: flat from ten sides on
+        let long = easy((10 * side).max(LEAST_WINDOW.div_ceil(low)));
+        let window = if long.saturating_mul(high) <= MOST_WINDOW { long } else { easy(4 * side) };
+        Self { up, down, filter, window, side }
     }
 
     /// How many values a channel keeps at a time.
-    pub(super) fn room(up: usize, down: usize, scale: f64, quality: Quality) -> usize {
-        let (_, window, _) = plan(up, down, scale, quality);
-        window.saturating_mul(up.max(down)).saturating_mul(4)
-    }
-
-    /// A channel before its first sample, with silence before it.
-    pub(super) fn lane(&self) -> Lane {
-        let longest = self.up.max(self.down) * self.window;
-        Lane {
-            queue: vec![0.0; self.side * self.down],
-            spectrum: vec![Complex::default(); longest / 2 + 1],
-            window: vec![0.0; self.up * self.window],
-        }
-    }
-
-    /// Appends to `out` what the samples of the queue allow.
-    pub(super) fn run(&self, lane: &mut Lane, out: &mut Vec<f64>) {
-        let (length, kept) = (self.window * self.down, self.window - 2 * self.side);
-        let mut at = 0;
-        while lane.queue.len() - at >= length {
-            let half = &mut lane.spectrum[..length / 2 + 1];
-            self.forward.forward(&lane.queue[at..at + length], half).expect(WINDOW);
-            let half = &mut lane.spectrum[..self.window * self.up / 2 + 1];
-            let common = self.gains.len();
-            half[..common].iter_mut().zip(&self.gains).for_each(|(z, gain)| *z *= gain);
-            half[common..].fill(Complex::default());
-            self.inverse.inverse(half, &mut lane.window).expect(WINDOW);
-            out.extend_from_slice(&lane.window[self.side * self.up..][..kept * self.up]);
-            at += kept * self.down;
-        }
-        lane.queue.drain(..at);
-    }
-
-    /// Silence for one more window.
-    pub(super) fn flush(&self, lane: &mut Lane, out: &mut Vec<f64>) {
-        let length = self.window * self.down;
-        lane.queue.resize(lane.queue.len().max(length), 0.0);
-        self.run(lane, out);
+    pub(super) fn room(&self) -> usize {
+        self.window.saturating_mul(self.up.max(self.down)).saturating_mul(4)
     }
 }
 
-/// The filter in samples of the lower rate, the length of windows and of their sides.
-fn plan(up: usize, down: usize, scale: f64, quality: Quality) -> (LowPass, usize, usize) {
-    let filter = quality.low_pass(0.5 * scale);
-    let reach = filter.radius().ceil() as usize + 1;
-    let (low, high) = (up.min(down), up.max(down));
-    let side = reach.div_ceil(low);
-    let long = (8 * side).max(LEAST_WINDOW.div_ceil(low));
-    let window = if long.saturating_mul(high) <= MOST_WINDOW { long } else { 4 * side };
-    (filter, fast_length(window), side)
-}
-
-/// One channel: samples that wait for their window, and room to work in.
-pub(super) struct Lane {
-    pub(super) queue: Vec<f64>,
-    spectrum: Vec<Complex<f64>>,
-    window: Vec<f64>,
+/// The least even `2ᵏ` or `3·2ᵏ` from `n` on: the terms of the ratio have odd factors of their own.
+fn easy(n: usize) -> usize {
+    let power = n.max(2).next_power_of_two();
+    if power / 4 * 3 >= n && power >= 8 { power / 4 * 3 } else { power }
 }

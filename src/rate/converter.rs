@@ -1,19 +1,25 @@
 //! Blocks in, blocks out.
 
+use crate::engine::fft::Butterflies;
+use crate::engine::real::Real;
 use crate::error::{Error, Result};
-use crate::parallel;
-use crate::rate::between::{Between, Steps};
-use crate::rate::blocks::{Blocks, Lane};
+use crate::rate::between::Between;
+use crate::rate::blocks::{Blocks, Design};
 use crate::rate::quality::Quality;
 use crate::rate::ratio::{Ratio, too_much};
-use crate::sampled::segments::whole_frames;
+use crate::sampled::segments::{finite, whole, whole_frames};
 
 /// The most values that all channels may keep between blocks: 4 GB.
 const MOST_ROOM: usize = 1 << 29;
 /// Windows longer than this are avoided where there is another way.
 const LONG: usize = 1 << 23;
+/// How many frames of a whole record are converted at a time, where they pass another rate.
+const BLOCK: usize = 1 << 17;
 
-/// A conversion of rates under way, of any number of channels.
+/// A conversion of rates under way, of any number of channels, in `f64` or `f32`.
+///
+/// Its windows are converted on all threads of the current pool, so large blocks are converted fastest. It keeps the
+/// memory that it needs, and allocates no more after the first blocks of the same length, unless `out` must grow.
 ///
 /// ```
 /// use nyquist::num::sin_pi;
@@ -33,59 +39,61 @@ const LONG: usize = 1 << 23;
 /// assert!(worst < 1e-10);
 /// # Ok::<(), nyquist::error::Error>(())
 /// ```
-pub struct Converter {
+pub struct Converter<T = f64> {
     ratio: Ratio,
-    way: Way,
-    channels: Vec<Channel>,
+    way: Way<T>,
+    channels: usize,
     /// Frames that came, and that went.
     taken: u64,
     given: u64,
 }
 
-/// What is the same for all channels.
-enum Way {
+enum Way<T> {
     /// Equal rates.
     Copy,
     /// Through the spectrum.
-    Whole(Blocks),
+    Whole(Blocks<T>),
     /// Through the spectrum to an oversampled signal, and from there to any times.
-    Real(Blocks, Between),
+    Real(Blocks<T>, Between<T>),
 }
 
-struct Channel {
-    lane: Option<Lane>,
-    steps: Option<Steps>,
-    /// Values that are done.
-    ready: Vec<f64>,
-}
-
-impl std::fmt::Debug for Converter {
+impl<T> std::fmt::Debug for Converter<T> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let (ratio, channels) = (self.ratio, self.channels.len());
+        let (ratio, channels) = (self.ratio, self.channels);
         write!(f, "Converter {{ {ratio:?}, channels: {channels}, taken: {}, given: {} }}", self.taken, self.given)
     }
 }
 
-impl Converter {
-    /// From one rate to another (in the same unit), for frames of so many channels.
+impl<T: Real> Converter<T> {
+    /// From one rate to another (in the same unit), for frames of so many channels; the same bits on every processor.
     ///
     /// # Errors
     /// Rates that are not positive or more than a factor of 1000 apart ([`Ratio::new`]); no channels; so many that their
     /// windows do not fit into 4 GB.
     pub fn new(from: f64, to: f64, channels: usize, quality: Quality) -> Result<Self> {
+        Self::with(from, to, channels, quality, Butterflies::Scalar)
+    }
+
+    /// By chosen butterflies: [`Butterflies::Fastest`] takes half the time, and differs from one processor to another by the
+    /// rounding of two transforms: in a window of `n` frames by at most `32ε·log₂n` of the root mean square (twice the bound
+    /// of [`fft`](crate::engine::fft)'s errors for both).
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    pub fn with(from: f64, to: f64, channels: usize, quality: Quality, butterflies: Butterflies) -> Result<Self> {
         let ratio = Ratio::new(from, to)?;
         if channels == 0 {
             return Err(Error::TooFew { what: "channels", least: 1, got: 0 });
         }
-        let fits = |room: usize| match room.saturating_mul(channels) {
+        let fits = |design: Design| match design.room().saturating_mul(channels) {
             room if room > MOST_ROOM => Err(too_much(room as f64, MOST_ROOM as f64)),
-            _ => Ok(()),
+            _ => Ok(design),
         };
-        let (way, lead, step) = match ratio.terms() {
-            Some((1, 1)) => (Way::Copy, 0, None),
-            Some((up, down)) if up < down || Blocks::room(up, down, 1.0, quality) <= LONG => {
-                fits(Blocks::room(up, down, 1.0, quality))?;
-                (Way::Whole(Blocks::new(up, down, 1.0, quality)), 0, None)
+        let whole = ratio.terms().map(|(up, down)| (up, down, Design::new(up, down, 1.0, quality)));
+        let way = match whole {
+            Some((1, 1, _)) => Way::Copy,
+            Some((up, down, design)) if up < down || design.room() <= LONG => {
+                Way::Whole(Blocks::new(fits(design)?, channels, 0, butterflies))
             }
             _ => {
                 // twice the rate, or the least whole fraction of it that is at least twice the new one
@@ -93,26 +101,13 @@ impl Converter {
                 let up = if down == 1 { 2 } else { 1 };
                 let between = up as f64 / down as f64;
                 let scale = ratio.value().min(1.0) / between.min(1.0);
-                fits(Blocks::room(up, down, scale, quality))?;
-                let (blocks, between) = (Blocks::new(up, down, scale, quality), Between::new());
+                let design = fits(Design::new(up, down, scale, quality))?;
                 // the filter rings before the first sample: so much silence first
-                let lead = between.reach().div_ceil(up);
-                let step = Some((lead * up, ratio.step(up, down)));
-                (Way::Real(blocks, between), lead * down, step)
+                let lead = Between::<T>::REACH.div_ceil(up);
+                let between = Between::new(channels, lead * up, ratio.step(up, down));
+                Way::Real(Blocks::new(design, channels, lead * down, butterflies), between)
             }
         };
-        let channel = || {
-            let lane = match &way {
-                Way::Copy => None,
-                Way::Whole(blocks) | Way::Real(blocks, _) => Some(blocks.lane()),
-            };
-            let lane = lane.map(|mut lane| {
-                lane.queue.resize(lane.queue.len() + lead, 0.0);
-                lane
-            });
-            Channel { lane, steps: step.map(|(start, step)| Steps::new(start, step)), ready: Vec::new() }
-        };
-        let channels = (0..channels).map(|_| channel()).collect();
         Ok(Self { ratio, way, channels, taken: 0, given: 0 })
     }
 
@@ -121,76 +116,128 @@ impl Converter {
         self.ratio
     }
 
+    /// How far what is given stays behind what was taken, at most, in frames of the input: before
+    /// [`finish`](Self::finish), of `n` frames that were taken at least those of the first `n − delay` have been given.
+    ///
+    /// ```
+    /// use nyquist::rate::{Converter, Quality};
+    /// let delay = |quality| Ok::<_, nyquist::error::Error>(Converter::<f32>::new(44_100.0, 48_000.0, 2, quality)?.delay());
+    /// assert!(delay(Quality::Best)? < 44_100 / 2 && delay(Quality::Fast)? < 44_100 / 16);
+    /// # Ok::<(), nyquist::error::Error>(())
+    /// ```
+    pub fn delay(&self) -> usize {
+        match &self.way {
+            Way::Copy => 0,
+            Way::Whole(blocks) => blocks.delay(),
+            Way::Real(blocks, _) => blocks.delay_with(Between::<T>::REACH + 1),
+        }
+    }
+
     /// Takes whole frames, one value for each channel in turn, and appends to `out` those frames that they decide.
     ///
     /// # Errors
     /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`]; nothing has been taken then.
-    pub fn push(&mut self, frames: &[f64], out: &mut Vec<f64>) -> Result<()> {
-        let count = self.channels.len();
-        whole_frames(frames, count)?;
-        self.taken += (frames.len() / count) as u64;
-        let way = &self.way;
-        parallel::chunks(&mut self.channels, 1, |i, channel| {
-            channel[0].push(way, frames.iter().skip(i).step_by(count).copied());
-        });
-        self.give(u64::MAX, out);
+    pub fn push(&mut self, frames: &[T], out: &mut Vec<T>) -> Result<()> {
+        whole_frames(frames, self.channels)?;
+        self.taken += (frames.len() / self.channels) as u64;
+        let start = out.len();
+        match &mut self.way {
+            Way::Copy => out.extend_from_slice(frames),
+            Way::Whole(blocks) => blocks.push(frames, out),
+            Way::Real(blocks, between) => {
+                blocks.push(frames, &mut between.samples);
+                let ready = between.ready();
+                out.resize(start + ready * self.channels, T::zero());
+                between.fill(&mut out[start..]);
+                between.go_on(ready);
+            }
+        }
+        self.given += ((out.len() - start) / self.channels) as u64;
         Ok(())
     }
 
     /// Ends the input, and appends to `out` all that is left: in all there come `round(n·R/R₀)` frames.
-    pub fn finish(mut self, out: &mut Vec<f64>) {
-        let total = self.ratio.frames(self.taken);
-        let way = &self.way;
-        let missing = (total - self.given) as usize;
-        parallel::chunks(&mut self.channels, 1, |_, channel| {
-            while channel[0].ready.len() < missing {
-                channel[0].flush(way);
-            }
-        });
-        self.give(total, out);
+    pub fn finish(mut self, out: &mut Vec<T>) {
+        let (start, missing) = (out.len(), self.ratio.frames(self.taken) - self.given);
+        out.resize(start + missing as usize * self.channels, T::zero());
+        self.end(&[], &mut out[start..]);
     }
 
-    /// Moves what all channels have into frames, up to frame `most` of all.
-    fn give(&mut self, most: u64, out: &mut Vec<f64>) {
-        let ready = self.channels[0].ready.len();
-        // what lies beyond the frames taken so far is not given before the end: there may be none
-        let allowed = self.ratio.frames(self.taken).min(most) - self.given;
-        let count = ready.min(usize::try_from(allowed).unwrap_or(usize::MAX));
-        out.reserve(count * self.channels.len());
-        for frame in 0..count {
-            out.extend(self.channels.iter().map(|channel| channel.ready[frame]));
+    /// A whole record, from its first frame to its last, to where it stays: what [`push`](Self::push) and
+    /// [`finish`](Self::finish) would give. What was pushed before is forgotten, and one converter may convert many records.
+    ///
+    /// ```
+    /// use nyquist::engine::fft::Butterflies;
+    /// use nyquist::rate::{Converter, Quality};
+    /// let mut converter = Converter::with(44_100.0, 48_000.0, 2, Quality::High, Butterflies::Fastest)?;
+    /// let mut stereo = vec![0.0f32; 2 * 48_000];
+    /// converter.whole(&[[0.5, -0.25]; 44_100].concat(), &mut stereo)?;
+    /// assert!((stereo[48_000] - 0.5).abs() < 1e-6 && (stereo[48_001] + 0.25).abs() < 1e-6);
+    /// # Ok::<(), nyquist::error::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`push`](Self::push), after which `out` may hold anything; an output of another length than that of
+    /// `round(n·R/R₀)` frames.
+    pub fn whole(&mut self, frames: &[T], out: &mut [T]) -> Result<()> {
+        whole(frames.len(), self.channels)?;
+        // windows say themselves whether all is finite: the record is not read for it
+        if !matches!(self.way, Way::Whole(_)) {
+            finite(frames)?;
         }
-        self.channels.iter_mut().for_each(|channel| drop(channel.ready.drain(..count)));
-        self.given += count as u64;
+        let expected = self.ratio.frames((frames.len() / self.channels) as u64) as usize * self.channels;
+        if out.len() != expected {
+            return Err(Error::Length { what: "the values of the converted frames", expected, got: out.len() });
+        }
+        self.reset();
+        let (mut frames, mut out) = (frames, out);
+        if let Way::Real(blocks, between) = &mut self.way {
+            // what lies between is not kept as a whole
+            while let Some((block, rest)) = frames.split_at_checked(BLOCK * self.channels) {
+                blocks.push(block, &mut between.samples);
+                let ready = between.ready();
+                let (done, later) = out.split_at_mut(ready * self.channels);
+                between.fill(done);
+                between.go_on(ready);
+                (frames, out) = (rest, later);
+            }
+        }
+        let sound = self.end(frames, out);
+        self.reset();
+        if sound { Ok(()) } else { finite(frames) }
+    }
+
+    fn reset(&mut self) {
+        (self.taken, self.given) = (0, 0);
+        match &mut self.way {
+            Way::Copy => {}
+            Way::Whole(blocks) => blocks.reset(),
+            Way::Real(blocks, between) => {
+                blocks.reset();
+                between.reset();
+            }
+        }
+    }
+
+    /// All that is left, with these last frames; false if something was not finite.
+    fn end(&mut self, frames: &[T], out: &mut [T]) -> bool {
+        match &mut self.way {
+            Way::Copy => {
+                out.copy_from_slice(frames);
+                true
+            }
+            Way::Whole(blocks) => blocks.fill(frames, out),
+            Way::Real(blocks, between) => {
+                let missing = between.missing(out.len() / self.channels);
+                let finite = blocks.fill(frames, between.more(missing));
+                between.fill(out);
+                finite
+            }
+        }
     }
 }
 
-impl Channel {
-    fn push(&mut self, way: &Way, values: impl Iterator<Item = f64>) {
-        match &mut self.lane {
-            None => self.ready.extend(values),
-            Some(lane) => lane.queue.extend(values),
-        }
-        self.run(way, Blocks::run);
-    }
-
-    fn flush(&mut self, way: &Way) {
-        self.run(way, Blocks::flush);
-    }
-
-    fn run(&mut self, way: &Way, blocks_run: fn(&Blocks, &mut Lane, &mut Vec<f64>)) {
-        match (way, &mut self.lane, &mut self.steps) {
-            (Way::Whole(blocks), Some(lane), _) => blocks_run(blocks, lane, &mut self.ready),
-            (Way::Real(blocks, between), Some(lane), Some(steps)) => {
-                blocks_run(blocks, lane, &mut steps.samples);
-                between.run(steps, &mut self.ready);
-            }
-            _ => {}
-        }
-    }
-}
-
-/// A whole record of one channel at another rate.
+/// A whole record of one channel at another rate; the same bits on every processor.
 ///
 /// ```
 /// use nyquist::rate::{Quality, convert};
@@ -204,8 +251,7 @@ impl Channel {
 /// Those of [`Converter::new`]; values that are not finite.
 pub fn convert(values: &[f64], from: f64, to: f64, quality: Quality) -> Result<Vec<f64>> {
     let mut converter = Converter::new(from, to, 1, quality)?;
-    let mut out = Vec::new();
-    converter.push(values, &mut out)?;
-    converter.finish(&mut out);
+    let mut out = vec![0.0; converter.ratio.frames(values.len() as u64) as usize];
+    converter.whole(values, &mut out)?;
     Ok(out)
 }

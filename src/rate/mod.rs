@@ -16,22 +16,29 @@
 //! The filter is a sinc under Kaiser's window, whose parameter and length follow from the promise by the window's transform
 //! ([`design`]). A ratio `L/M` of whole numbers is done by overlap-save (Stockham 1966): a window of `qM` samples is
 //! transformed, its spectrum multiplied by the filter and cut or padded to that of `qL` samples, and transformed back; what
-//! the ends of the window touch is thrown away. So the phases of the ratio are exact, however large `L` and `M` are. Other
-//! ratios go through twice the rate, or a whole fraction of it, by the same means, and from there, where the signal is
-//! oversampled at least twice, to any times by a kernel of thirty samples whose values stand in a table (`error 10⁻¹²`).
-//! Times are counted in steps of 2⁻¹²⁸ samples.
+//! the ends of the window touch is thrown away, a tenth to a fifth of it. So the phases of the ratio are exact, however
+//! large `L` and `M` are. Other ratios go through twice the rate, or a whole fraction of it, by the same means, and from
+//! there, where the signal is oversampled at least twice, to any times by a kernel of 32 samples whose values stand in a
+//! table (error `10⁻¹²`). Times are counted in steps of 2⁻¹²⁸ samples.
 //!
 //! Delay is compensated: the filter is symmetric, and output `m` stands for the time `m/R` exactly. Of `n` samples there
-//! come `round(n·R/R₀)`. Before and after the record there is silence. The bits do not depend on how the input is cut
-//! into blocks, nor on the number of threads.
+//! come `round(n·R/R₀)`. Before and after the record there is silence. What is given stays behind what was taken by less
+//! than a window ([`Converter::delay`]: 0.4 s for `best` at 44.1 kHz, 0.05 s for `fast`). Channels do not meet: each has
+//! transforms of its own, or a loud one would leave its rounding in a silent one.
+//!
+//! The bits do not depend on how the input is cut into blocks, nor on the number of threads, on which windows are converted
+//! side by side; nor on the processor, unless the fastest butterflies are asked for ([`Converter::with`]). Numbers of 32
+//! bits round to −134 dB of a tone, those of 64 to −300.
 
 mod between;
 mod blocks;
 mod converter;
 pub mod design;
+mod frames;
 mod quality;
 mod ratio;
 mod response;
+mod time;
 
 pub use converter::{Converter, convert};
 pub use quality::{Promise, Quality};

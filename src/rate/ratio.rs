@@ -1,6 +1,7 @@
 //! The ratio of two rates, exactly.
 
 use crate::error::{Error, Result, positive, within};
+use crate::rate::time::Time;
 
 /// The most by which rates may differ.
 const MOST: f64 = 1000.0;
@@ -94,8 +95,8 @@ impl Ratio {
         exact().unwrap_or((n as f64 * self.value()).round() as u64)
     }
 
-    /// How far one output is from the next in samples at `up/down` times the input rate: whole samples and 2⁻¹²⁸ths.
-    pub(super) fn step(&self, up: usize, down: usize) -> (u64, u128) {
+    /// How far one output is from the next in samples at `up/down` times the input rate.
+    pub(super) fn step(&self, up: usize, down: usize) -> Time {
         let (numerator, denominator) = (self.down * up as u128, self.up * down as u128);
         let mut rest = numerator % denominator;
         let mut fraction = 0;
@@ -104,7 +105,7 @@ impl Ratio {
             fraction = fraction << 1 | u128::from(rest >= denominator);
             rest %= denominator;
         }
-        ((numerator / denominator) as u64, fraction)
+        Time { whole: (numerator / denominator) as u64, fraction }
     }
 }
 

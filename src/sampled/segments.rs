@@ -2,6 +2,7 @@
 //! made of.
 
 use crate::engine::fft::{Butterflies, RealFft};
+use crate::engine::real::Real;
 use crate::error::{Error, Result};
 use crate::num::mean::{mean, weighted_mean};
 use crate::parallel;
@@ -12,6 +13,8 @@ use num_complex::Complex;
 const MOST: usize = 1 << 24;
 /// Segments that are transformed at a time, each in a room of its own.
 const BENCHES: usize = 8;
+/// How many values are looked at together.
+const PIECE: usize = 1024;
 
 const LENGTH: &str = "rooms are as long as their segment";
 
@@ -140,13 +143,30 @@ pub struct Periodograms {
 }
 
 /// Refuses a part of a frame, and values that are not finite.
-pub(crate) fn whole_frames(frames: &[f64], channels: usize) -> Result<()> {
-    if !frames.len().is_multiple_of(channels) {
-        let expected = frames.len().next_multiple_of(channels);
-        return Err(Error::Length { what: "the values of whole frames", expected, got: frames.len() });
+pub(crate) fn whole_frames<T: Real>(frames: &[T], channels: usize) -> Result<()> {
+    whole(frames.len(), channels)?;
+    finite(frames)
+}
+
+/// Refuses a part of a frame.
+pub(crate) fn whole(values: usize, channels: usize) -> Result<()> {
+    if values.is_multiple_of(channels) {
+        return Ok(());
     }
-    match frames.iter().position(|v| !v.is_finite()) {
-        Some(index) => Err(Error::NotFiniteAt { what: "samples", index, value: frames[index] }),
+    Err(Error::Length { what: "the values of whole frames", expected: values.next_multiple_of(channels), got: values })
+}
+
+/// Refuses values that are not finite.
+pub(crate) fn finite<T: Real>(values: &[T]) -> Result<()> {
+    // long loops without a way out are vectorised
+    let all = |piece: &[T]| piece.iter().fold(true, |all, v| all & v.is_finite());
+    match values.chunks(PIECE).position(|piece| !all(piece)) {
+        Some(piece) => {
+            let rest = &values[piece * PIECE..];
+            let at = rest.iter().position(|v| !v.is_finite()).unwrap_or_default();
+            let (index, value) = (piece * PIECE + at, rest[at].to_f64().unwrap_or(f64::NAN));
+            Err(Error::NotFiniteAt { what: "samples", index, value })
+        }
         None => Ok(()),
     }
 }

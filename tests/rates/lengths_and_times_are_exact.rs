@@ -81,6 +81,29 @@ fn times_do_not_drift_over_long_records() {
 }
 
 #[test]
+fn frames_are_given_as_soon_as_was_said() {
+    for (from, to) in [(44_100.0, 48_000.0), (48_000.0, 44_100.0), (8_000.0, 8_000.0), (1.0, 0.5 * PI), (7.0, PI)] {
+        for quality in Quality::ALL {
+            let mut converter = Converter::<f32>::new(from, to, 2, quality).unwrap();
+            let (delay, ratio) = (converter.delay() as u64, converter.ratio());
+            let (mut out, mut longest) = (Vec::new(), 0);
+            for taken in (100..60_000u64).step_by(100) {
+                converter.push(&[0.25; 200], &mut out).unwrap();
+                let given = out.len() as u64 / 2;
+                let behind = taken - (given as f64 / ratio.value()).floor().min(taken as f64) as u64;
+                longest = longest.max(behind);
+                assert!(
+                    given >= ratio.frames(taken.saturating_sub(delay)),
+                    "{from} → {to}, {quality}: {given} of {taken}"
+                );
+            }
+            // and not much sooner: blocks of a hundred frames are what is not seen
+            assert!(longest + 200 >= delay, "{from} → {to}, {quality}: {longest} of {delay}");
+        }
+    }
+}
+
+#[test]
 fn silence_and_constants_stay() {
     for (from, to) in [(44_100.0, 48_000.0), (48_000.0, 11_025.0), (1.0, PI)] {
         let silent = convert(&[0.0; 5_000], from, to, Quality::High).unwrap();
@@ -99,7 +122,7 @@ fn equal_rates_copy() {
 
 #[test]
 fn what_cannot_be_is_refused() {
-    let new = |from, to, channels| Converter::new(from, to, channels, Quality::Best).unwrap_err();
+    let new = |from, to, channels| Converter::<f64>::new(from, to, channels, Quality::Best).unwrap_err();
     assert!(matches!(new(0.0, 1.0, 1), Error::NotPositive { .. }));
     assert!(matches!(new(1.0, f64::NAN, 1), Error::NotFinite { .. }));
     assert!(matches!(new(1.0, 2_000.0, 1), Error::OutOfRange { .. }));
@@ -109,5 +132,12 @@ fn what_cannot_be_is_refused() {
     let mut converter = Converter::new(1.0, 2.0, 2, Quality::Fast).unwrap();
     let mut out = Vec::new();
     assert!(matches!(converter.push(&[0.0; 3], &mut out), Err(Error::Length { expected: 4, got: 3, .. })));
+    assert!(matches!(converter.whole(&[0.0; 4], &mut [0.0; 6]), Err(Error::Length { expected: 8, got: 6, .. })));
+    let mut record = vec![0.0; 10_000];
+    record[9_999] = f64::INFINITY;
+    let found = converter.whole(&record, &mut [0.0; 20_000]);
+    assert!(matches!(found, Err(Error::NotFiniteAt { index: 9_999, .. })));
+    // sums that are too large are no fault of the samples
+    assert!(converter.whole(&[f64::MAX; 10_000], &mut [0.0; 20_000]).is_ok());
     assert!(matches!(converter.push(&[0.0, f64::NAN], &mut out), Err(Error::NotFiniteAt { index: 1, .. })));
 }

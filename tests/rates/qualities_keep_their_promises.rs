@@ -2,7 +2,9 @@
 //! between nothing lands anywhere else.
 
 use crate::tones::{decibels, tone, without};
-use nyquist::rate::{Quality, convert};
+use nyquist::engine::fft::Butterflies;
+use nyquist::engine::real::Real;
+use nyquist::rate::{Converter, Quality, convert};
 
 /// The pairs of rates: up, down, simple and not, and two that are no ratios of small numbers.
 const PAIRS: [(f64, f64); 8] = [
@@ -95,5 +97,51 @@ fn many_tones_at_once_keep_the_sum_of_their_promises() {
         let worst = (away..out.len() - away).map(|i| (out[i] - sum(to, i)).abs()).fold(0.0, f64::max);
         println!("{from} → {to:.0}: {:.1} dB", decibels(worst));
         assert!(decibels(worst) <= -promise.rejection, "{from} → {to}: {:.1} dB", decibels(worst));
+    }
+}
+
+/// A record by the fastest butterflies.
+fn fastest<T: Real>(record: &[T], from: f64, to: f64) -> Vec<T> {
+    let mut converter =
+        Converter::with(from, to, 1, Quality::Best, Butterflies::Fastest).expect("the pair is possible");
+    let mut out = vec![T::zero(); converter.ratio().frames(record.len() as u64) as usize];
+    converter.whole(record, &mut out).expect("the length is right");
+    out
+}
+
+/// The root of the mean square of the difference, over that of a tone of amplitude one.
+fn difference(a: impl Iterator<Item = f64>, b: impl Iterator<Item = f64>) -> f64 {
+    let squares: Vec<f64> = a.zip(b).map(|(a, b)| (a - b) * (a - b)).collect();
+    (2.0 * squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
+}
+
+#[test]
+fn numbers_of_32_bits_leave_less_than_130_decibels() {
+    for (from, to) in PAIRS {
+        let low = from.min(to);
+        let away = (1_600.0 * to / low) as usize;
+        for part in [0.001, 0.3, 0.7, 0.97] {
+            let frequency = 0.5 * low * part;
+            let record: Vec<f32> =
+                (0..(8_000.0 * from / low) as usize).map(|i| tone(frequency, from, i) as f32).collect();
+            let out = fastest(&record, from, to);
+            let middle = out[away..out.len() - away].iter().map(|&v| f64::from(v));
+            let said = decibels(difference(middle, (away..).map(|i| tone(frequency, to, i))));
+            println!("{from} → {to:.0}, {part}: {said:.1} dB");
+            assert!(said < -130.0, "{from} → {to}, {part}: {said:.1} dB");
+        }
+    }
+}
+
+#[test]
+fn the_fastest_butterflies_differ_by_their_rounding() {
+    for (from, to) in PAIRS {
+        let low = from.min(to);
+        let record: Vec<f64> = (0..(8_000.0 * from / low) as usize).map(|i| tone(0.3 * low, from, i)).collect();
+        let fast = fastest(&record, from, to);
+        let plain = convert(&record, from, to, Quality::Best).unwrap();
+        let apart = difference(fast.into_iter(), plain.into_iter());
+        // windows have at most 2²⁰ values
+        assert!(apart <= 32.0 * f64::EPSILON * 20.0, "{from} → {to}: {apart:e}");
     }
 }

@@ -6,6 +6,7 @@ mod plane;
 mod points;
 mod resize;
 mod resize_peers;
+mod sound;
 
 use crate::machine::Machine;
 use crate::race::Outcome;
@@ -23,7 +24,7 @@ pub struct Job {
 }
 
 /// All of them.
-pub static ALL: &[Job] = &[fft::JOB, plane::JOB, resize::JOB, points::JOB, film::JOB];
+pub static ALL: &[Job] = &[fft::JOB, plane::JOB, sound::JOB, resize::JOB, points::JOB, film::JOB];
 
 /// Numbers between −1 and 1 that look random, the same in every run (SplitMix64: Steele, Lea, Flood 2014).
 fn noise(n: usize) -> impl Iterator<Item = f64> {

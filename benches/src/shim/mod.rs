@@ -9,6 +9,7 @@ mod nonuniform;
 mod plane;
 mod points;
 mod resize;
+mod sound;
 
 use std::sync::{LazyLock, Mutex};
 

@@ -62,6 +62,14 @@ impl<T: Real> Core<T> {
         matches!(self.way, Way::Whole(_))
     }
 
+    /// The transform of numbers in their own place, if it is done in one piece.
+    pub(super) fn run_standing(&self, numbers: &mut [Complex<T>]) {
+        match &self.way {
+            Way::Whole(short) => self.rooms.lend(short.room(), |room| short.run(numbers, room)),
+            _ => unreachable!("only what is whole stands"),
+        }
+    }
+
     /// Whether it has all frequencies, not only those that were wanted.
     pub(super) fn keeps_all(&self) -> bool {
         !matches!(self.way, Way::Chirp(_))

@@ -64,5 +64,5 @@ pub use length::{fast_length, long_length};
 pub(crate) use physical::phase;
 pub use physical::{PhysicalFft, PhysicalRealFft};
 pub use plane::PlaneFft;
-pub(in crate::engine) use pool::Pool;
+pub(crate) use pool::Pool;
 pub use real_fft::RealFft;

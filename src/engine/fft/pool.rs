@@ -5,15 +5,15 @@ use std::fmt;
 use std::sync::{Mutex, PoisonError};
 
 /// Buffers that are lent and taken back: a plan allocates in its first call on every thread, and no more.
-pub(in crate::engine) struct Pool<T>(Mutex<Vec<Vec<Complex<T>>>>);
+pub(crate) struct Pool<T>(Mutex<Vec<Vec<Complex<T>>>>);
 
 impl<T: Copy + Default> Pool<T> {
-    pub(in crate::engine) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self(Mutex::new(Vec::new()))
     }
 
     /// `f` with room for `len` numbers, whatever they are.
-    pub(in crate::engine) fn lend<R>(&self, len: usize, f: impl FnOnce(&mut [Complex<T>]) -> R) -> R {
+    pub(crate) fn lend<R>(&self, len: usize, f: impl FnOnce(&mut [Complex<T>]) -> R) -> R {
         let free = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let mut room = free().pop().unwrap_or_default();
         if room.len() < len {

@@ -6,7 +6,7 @@ use crate::engine::fft::core::Core;
 use crate::engine::fft::halves::{Backwards, Extended, Folded, Halves, Unpacked, Zeroed, packed};
 use crate::engine::fft::order::{InOrder, pieces};
 use crate::engine::fft::roots::Turns;
-use crate::engine::fft::standing::unfold;
+use crate::engine::fft::standing::{Conjugated, fold, unfold};
 use crate::engine::real::Real;
 use crate::engine::simd::vectorised;
 use crate::error::Result;
@@ -110,6 +110,12 @@ impl<T: Real> RealFft<T> {
         same(self.n / 2 + 1, input.len())?;
         same(self.n, output.len())?;
         match &self.way {
+            Way::Even { core, roots } if core.is_whole() => {
+                let pairs = bytemuck::cast_slice_mut(output);
+                fold(input, roots, pairs);
+                core.run_standing(pairs);
+                vectorised(Conjugated(pairs));
+            }
             Way::Even { core, roots } => core.run(&Folded { half: input, roots }, |frequencies| {
                 pieces(output, |first, out| vectorised(Unpacked { frequencies, first, out }));
             }),

@@ -83,6 +83,73 @@ pub(super) fn unfold<T: Real>(numbers: &mut [Complex<T>], roots: &Turns<T>, fact
     }
 }
 
+/// The conjugate of what an even number `n` of real values have as the spectrum of half as many complex ones, from half of
+/// the spectrum of the values: with `E_k = X̄_k + X_{M−k}` and `t_k = −i·e^{−2πik/n}·(X̄_k − X_{M−k})`, `M = n/2`, it is
+/// `E_k + t_k` and its mirror `(E_k − t_k)*` (twice of it).
+pub(super) fn fold<T: Real>(half: &[Complex<T>], roots: &Turns<T>, to: &mut [Complex<T>]) {
+    vectorised(Fold { half, roots, to });
+}
+
+struct Fold<'a, T> {
+    half: &'a [Complex<T>],
+    roots: &'a Turns<T>,
+    to: &'a mut [Complex<T>],
+}
+
+impl<T: Real> Loop for Fold<'_, T> {
+    #[inline(always)]
+    fn run(self) {
+        match self.roots.table() {
+            Some(roots) => self.with(roots),
+            None => {
+                let roots = self.roots.products();
+                self.with(roots);
+            }
+        }
+    }
+}
+
+impl<T: Real> Fold<'_, T> {
+    #[inline(always)]
+    fn with(self, roots: impl Factors<T>) {
+        let Self { half, to, .. } = self;
+        let middle = to.len();
+        // no real signal has imaginary parts there
+        let (first, last) = (half[0].re, half[middle].re);
+        to[0] = Complex::new(first + last, last - first);
+        let end = middle.div_ceil(2);
+        let whole = end.saturating_sub(1) / BLOCK * BLOCK;
+        for k in (1..=whole).step_by(BLOCK) {
+            let mirror = middle - k + 1 - BLOCK;
+            let (here, there) = (conjugate(&block(half, k)), reversed(&block(half, mirror)));
+            let (even, odd) = (each(&here, &there, |a, b| a + b), each(&here, &there, |a, b| a - b));
+            let odd = times(&odd, &roots.block(k));
+            *block_mut(to, k) = each(&even, &odd, |a, b| a + b);
+            *block_mut(to, mirror) = reversed(&each(&conjugate(&even), &conjugate(&odd), |a, b| a - b));
+        }
+        for k in 1 + whole..end {
+            let (here, there) = (half[k].conj(), half[middle - k]);
+            let (even, odd) = (here + there, (here - there) * roots.one(k));
+            to[k] = even + odd;
+            to[middle - k] = even.conj() - odd.conj();
+        }
+        if middle.is_multiple_of(2) {
+            // the root is −1
+            to[middle / 2] = half[middle / 2].scale(T::of(2.0));
+        }
+    }
+}
+
+/// The conjugates of numbers in their own places.
+pub(super) struct Conjugated<'a, T>(pub(super) &'a mut [Complex<T>]);
+
+impl<T: Real> Loop for Conjugated<'_, T> {
+    #[inline(always)]
+    fn run(self) {
+        self.0.iter_mut().for_each(|z| z.im = -z.im);
+    }
+}
+
 struct Ends<'a, T> {
     first: usize,
     middle: usize,

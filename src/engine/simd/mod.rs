@@ -22,7 +22,7 @@ pub enum Arithmetic {
 }
 
 /// A loop that is worth wide vectors. `run` must be `#[inline(always)]`, and what it calls too.
-pub(super) trait Loop {
+pub(crate) trait Loop {
     /// The loop.
     fn run(self);
 }
@@ -39,7 +39,7 @@ impl<L: Loop> NullaryFnOnce for Dispatched<L> {
 }
 
 /// Runs a loop with the widest vectors of this processor.
-pub(super) fn vectorised(task: impl Loop) {
+pub(crate) fn vectorised(task: impl Loop) {
     Arch::new().dispatch(Dispatched(task));
 }
 
