@@ -8,7 +8,6 @@ use nyquist::engine::film::{Film, Sample};
 use nyquist::kernel::Kernel;
 use nyquist::kernel::cubic::Cubic;
 use nyquist::kernel::gaussian::GaussianKernel;
-use nyquist::signal::Signal;
 use std::hint::black_box;
 
 pub const JOB: Job = Job { letter: "h", name: "film", about: "16 scattered samples a pixel into n² pixels", run };

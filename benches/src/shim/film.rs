@@ -5,7 +5,6 @@ use nyquist::engine::film::{Film, Sample};
 use nyquist::kernel::Kernel;
 use nyquist::kernel::cubic::Cubic;
 use nyquist::kernel::gaussian::GaussianKernel;
-use nyquist::signal::Signal;
 
 fn plan(width: usize, height: usize, kernel: &dyn Kernel) -> *mut Film<f32> {
     boxed(Film::new([width, height], kernel.radius(), |t| kernel.at(t)))
