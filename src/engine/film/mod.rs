@@ -23,6 +23,8 @@ use crate::engine::simd::{Loop, vectorised};
 use crate::error::{Error, Result};
 use crate::parallel;
 
+pub use crate::engine::film::weights::MOST_DEGREE;
+
 /// Light at a place: `2 + C` numbers, one after the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
@@ -52,7 +54,7 @@ impl<T: Real, const C: usize> Pixel<T, C> {
     }
 }
 
-/// The most pixels of a film.
+/// The most pixels of a film, if its sides are rounded up to multiples of 64.
 pub const MOST_PIXELS: usize = 1 << 28;
 
 /// Samples that are sorted together: as many as stay in a cache.
@@ -64,11 +66,11 @@ const BLOCKS: usize = 32;
 /// A film of `width × height` pixels for many samples, with a kernel as `f(x, y) = k(x)·k(y)` of a radius that is a multiple
 /// of one half.
 ///
-/// The kernel's values are those of polynomials, one between each two pixels, that agree with it to `8ε` of its largest
-/// value (`ε` of `T`) or to a degree of 24, whichever is first; [`error`](Film::error) is the largest difference that was
-/// seen. What a pixel's sums lose is at most that, `n·ε/2` for `n` samples within reach and `ε/2` of a place, which counts
-/// in `f32`: at pixel 1000 a place is known to `3·10⁻⁵` of a pixel. A sample exactly where a kernel jumps (the box) counts
-/// wholly on one side.
+/// The kernel's values are those of polynomials, one between each two pixels, of the least odd degree that agrees with it to
+/// `16ε` of its largest value (`ε` of `T`), or of the best up to [`MOST_DEGREE`]; [`error`](Film::error) is the largest
+/// difference that was seen when the plan was made. A pixel's sums lose at most that in either direction, `n·ε/2` to their
+/// own rounding for `n` samples within reach, and what a place loses by being a number of `T`, which counts in `f32`: at
+/// pixel 1000 it is known to `3·10⁻⁵` of a pixel. A sample exactly where a kernel jumps (the box) counts wholly on one side.
 ///
 /// ```
 /// use nyquist::engine::film::{Film, Sample};
@@ -102,15 +104,17 @@ impl<T: Real> Film<T> {
     ///
     /// # Errors
     /// No pixels or more than [`MOST_PIXELS`]; a radius other than ½, 1, 1½, 2, 2½ or 3; a kernel that has a corner between
-    /// these places, so that no polynomial of degree 24 is it to `10⁻³` of its largest value.
+    /// these places, so that no polynomial of degree [`MOST_DEGREE`] is it to `10⁻³` of its largest value.
     pub fn new([width, height]: [usize; 2], radius: f64, kernel: impl Fn(f64) -> f64) -> Result<Self> {
-        match width.checked_mul(height) {
-            Some(0) => return Err(Error::TooFew { what: "pixels of a film", least: 1, got: 0 }),
-            Some(n) if n <= MOST_PIXELS => {}
-            _ => {
-                let (value, most) = (width as f64 * height as f64, MOST_PIXELS as f64);
-                return Err(Error::Overflow { what: "the number of pixels of a film", value, most });
-            }
+        if width == 0 || height == 0 {
+            return Err(Error::TooFew { what: "pixels of a film", least: 1, got: 0 });
+        }
+        // tiles are whole, even of a film that is one pixel wide
+        let whole = |n: usize| (n as f64 / SIDE as f64 + 1.0) * SIDE as f64;
+        let value = whole(width) * whole(height);
+        if value > MOST_PIXELS as f64 {
+            let what = "the number of pixels of a film, counted in whole tiles,";
+            return Err(Error::Overflow { what, value, most: MOST_PIXELS as f64 });
         }
         Ok(Self { width, height, weights: Weights::new(radius, kernel)? })
     }

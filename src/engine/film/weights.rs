@@ -4,8 +4,8 @@ use crate::engine::real::Real;
 use crate::error::{Error, Result};
 use std::f64::consts::PI;
 
-/// The highest degree.
-const MOST_DEGREE: usize = 24;
+/// The highest degree of the polynomials.
+pub const MOST_DEGREE: usize = 23;
 
 /// The values of an even kernel of radius `w/2` at `w` successive pixels around a place.
 ///
@@ -40,7 +40,11 @@ impl<T: Real> Weights<T> {
             for (z, i) in places.iter().zip(0..) {
                 for (tap, known) in known.iter().enumerate() {
                     let found = weights.of_tap(tap, T::of(*z)).to_f64().unwrap_or(f64::NAN);
-                    weights.error = weights.error.max((found - known[i]).abs() / largest);
+                    let apart = (found - known[i]).abs() / largest;
+                    if apart.is_nan() {
+                        return Err(unsmooth());
+                    }
+                    weights.error = weights.error.max(apart);
                 }
             }
             if best.as_ref().is_none_or(|b| weights.error < b.error) {
@@ -52,7 +56,7 @@ impl<T: Real> Weights<T> {
         }
         match best {
             Some(weights) if weights.error <= 1e-3 => Ok(weights),
-            _ => Err(Error::Unsupported("a film of the engine with a kernel that is not smooth between pixels")),
+            _ => Err(unsmooth()),
         }
     }
 
@@ -105,6 +109,10 @@ impl<T: Real> Weights<T> {
         }
         all
     }
+}
+
+fn unsmooth() -> Error {
+    Error::Unsupported("a film of the engine with a kernel that is not smooth between pixels")
 }
 
 /// The polynomial of an odd degree that goes through a function at Chebyshev's points, as coefficients of even and odd
