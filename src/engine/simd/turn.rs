@@ -9,13 +9,20 @@ const SQUARE: usize = 8;
 const WHOLE: &str = "matrices consist of whole squares";
 
 /// A matrix turned: `to[c·to_stride + r] = from[r·stride + c]`, for multiples of eight of rows and columns.
-pub(in crate::engine) struct Turn<'a, T> {
-    pub(in crate::engine) from: &'a [T],
-    pub(in crate::engine) stride: usize,
-    pub(in crate::engine) rows: usize,
-    pub(in crate::engine) columns: usize,
-    pub(in crate::engine) to: &'a mut [T],
-    pub(in crate::engine) to_stride: usize,
+#[derive(Debug)]
+pub struct Turn<'a, T> {
+    /// What is turned.
+    pub from: &'a [T],
+    /// From one of its rows to the next.
+    pub stride: usize,
+    /// How many rows it has.
+    pub rows: usize,
+    /// How many columns it has, which become rows.
+    pub columns: usize,
+    /// Where it goes.
+    pub to: &'a mut [T],
+    /// From one row there to the next.
+    pub to_stride: usize,
 }
 
 impl<T: Real> Turn<'_, T> {
