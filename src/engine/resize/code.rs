@@ -16,6 +16,9 @@ pub trait Code: Copy + Send + Sync + 'static {
 
     #[doc(hidden)]
     fn narrow(from: &[Self::Sum], to: &mut [Self]);
+
+    #[doc(hidden)]
+    fn direct(values: &[Self]) -> Option<&[Self::Sum]>;
 }
 
 macro_rules! itself {
@@ -31,6 +34,10 @@ macro_rules! itself {
             #[inline(always)]
             fn narrow(from: &[Self], to: &mut [Self]) {
                 to.copy_from_slice(from);
+            }
+
+            fn direct(values: &[Self]) -> Option<&[Self]> {
+                Some(values)
             }
         }
     };
@@ -62,6 +69,10 @@ macro_rules! whole {
                     let v = if v < f32::from(Self::MAX) { v } else { f32::from(Self::MAX) };
                     *to = (v + WHOLE).to_bits() as Self;
                 }
+            }
+
+            fn direct(_: &[Self]) -> Option<&[f32]> {
+                None
             }
         }
     };

@@ -7,7 +7,7 @@ use crate::engine::resize::strips::{Load, Meaning, Store, Themselves};
 use crate::engine::resize::sums::{LEAST, Lines, Sums};
 use crate::engine::resize::taps::{Blocks, SIDE, Taps};
 use crate::engine::resize::view::{Layout, View, ViewMut};
-use crate::engine::simd::{Arithmetic, Lanes, Turn, vectorised, with_vectors};
+use crate::engine::simd::{Arithmetic, Lanes, SQUARE, Turn, vectorised, with_vectors};
 use crate::error::{Error, Result};
 use crate::parallel;
 use std::ops::Range;
@@ -170,35 +170,86 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
     }
 
     fn down_first(&self, target: &mut [C], room: &mut Room<M::Sum>) {
-        let (channels, strip, down) = (self.source.layout.channels, strip::<M::Sum>(), &self.plan.down);
+        let (channels, strip) = (self.source.layout.channels, strip::<M::Sum>());
         for panel in self.panels() {
             let reads = self.plan.across.reads(&panel);
             let start = reads.start * channels as i64;
-            let padded = ((reads.end - reads.start) as usize * channels).next_multiple_of(strip);
-            let (stride, line) = (padded + LEAST, panel.len().next_multiple_of(ROWS) * channels + LEAST);
-            let columns = room.columns.numbers(padded * ROWS);
-            let finished = room.rows.numbers(ROWS * line);
+            let strips = ((reads.end - reads.start) as usize * channels).div_ceil(strip);
+            let line = panel.len().next_multiple_of(ROWS) * channels + LEAST;
             for (group, target) in self.groups(ROWS, target) {
-                let reads_down = down.reads(&group);
-                let lines = room.lines.numbers((reads_down.end - reads_down.start) as usize * stride);
-                let sums = room.sums.numbers(ROWS * strip.max(ROWS * channels));
-                self.load(reads_down.clone(), start..start + padded as i64, lines, stride);
-                for (at, columns) in (0..padded).step_by(strip).zip(columns.chunks_mut(strip * ROWS)) {
-                    let lines = Lines { numbers: &lines[at..], first: reads_down.start, stride };
-                    self.sums(down, group.clone(), lines, strip, sums, strip);
-                    M::Sum::turn(Turn {
-                        from: sums,
-                        stride: strip,
-                        rows: ROWS,
-                        columns: strip,
-                        to: columns,
-                        to_stride: ROWS,
-                    });
-                }
+                let inside = self.inside(self.plan.down.reads(&group), start, strips);
+                self.down_inside(&group, start, inside.clone(), strips, room);
+                self.down_copied(&group, start, 0..inside.start, strips, room);
+                self.down_copied(&group, start, inside.end..strips, strips, room);
+                let columns = room.columns.numbers(strips * strip * ROWS);
+                let (finished, sums) = (room.rows.numbers(ROWS * line), room.sums.numbers(ROWS * ROWS * channels));
                 self.across(panel.clone(), reads.start, columns, sums, finished, line);
                 let width = panel.len() * channels;
                 self.store(finished, line, width, group.len(), &mut target[panel.start * channels..]);
             }
+        }
+    }
+
+    /// The strips from `start` on that can be summed where they stand; the rest must be copied first.
+    fn inside(&self, rows: Range<i64>, start: i64, strips: usize) -> Range<usize> {
+        let (layout, strip) = (self.source.layout, strip::<M::Sum>() as i64);
+        if self.meaning.direct(self.source.values).is_none() || rows.start < 0 || rows.end > layout.height as i64 {
+            return 0..0;
+        }
+        let first = (-start).max(0).unsigned_abs().div_ceil(strip.unsigned_abs()) as usize;
+        let last = (layout.row() as i64 - start).max(0) / strip;
+        first.min(strips)..(last as usize).clamp(first.min(strips), strips)
+    }
+
+    /// The sums of the rows of a group, where they stand, turned.
+    fn down_inside(
+        &self,
+        group: &Range<usize>,
+        start: i64,
+        inside: Range<usize>,
+        strips: usize,
+        room: &mut Room<M::Sum>,
+    ) {
+        let (strip, down) = (strip::<M::Sum>(), &self.plan.down);
+        let Some(values) = self.meaning.direct(self.source.values).filter(|_| !inside.is_empty()) else { return };
+        let width = inside.len() * strip;
+        let sums = room.sums.numbers(SQUARE * width);
+        let columns = &mut room.columns.numbers(strips * strip * ROWS)[inside.start * strip * ROWS..];
+        for (rows, at) in group.clone().step_by(SQUARE).zip((0..ROWS).step_by(SQUARE)) {
+            let rows = rows..(rows + SQUARE).min(group.end);
+            let first = down.reads(&rows).start;
+            let stride = self.source.layout.stride;
+            let place = first as usize * stride + (start + (inside.start * strip) as i64) as usize;
+            self.sums(down, rows, Lines { numbers: &values[place..], first, stride }, width, sums, width);
+            let to = &mut columns[at..];
+            M::Sum::turn(Turn { from: sums, stride: width, rows: SQUARE, columns: width, to, to_stride: ROWS });
+        }
+    }
+
+    /// The sums of copied rows of a group, turned.
+    fn down_copied(
+        &self,
+        group: &Range<usize>,
+        start: i64,
+        copied: Range<usize>,
+        strips: usize,
+        room: &mut Room<M::Sum>,
+    ) {
+        let (strip, down) = (strip::<M::Sum>(), &self.plan.down);
+        if copied.is_empty() {
+            return;
+        }
+        let (reads, stride) = (down.reads(group), copied.len() * strip + LEAST);
+        let lines = room.lines.numbers((reads.end - reads.start) as usize * stride);
+        let columns = &mut room.columns.numbers(strips * strip * ROWS)[copied.start * strip * ROWS..];
+        let sums = room.sums.numbers(ROWS * strip);
+        let at = [copied.start, copied.end].map(|s| start + (s * strip) as i64);
+        self.load(reads.clone(), at[0]..at[1], lines, stride);
+        for (s, columns) in copied.zip(columns.chunks_mut(strip * ROWS)) {
+            let offset = (start + (s * strip) as i64 - at[0]) as usize;
+            let lines = Lines { numbers: &lines[offset..], first: reads.start, stride };
+            self.sums(down, group.clone(), lines, strip, sums, strip);
+            M::Sum::turn(Turn { from: sums, stride: strip, rows: ROWS, columns: strip, to: columns, to_stride: ROWS });
         }
     }
 

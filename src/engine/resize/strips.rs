@@ -11,6 +11,10 @@ pub(super) trait Meaning<C>: Sync {
     type Sum: Lanes;
     fn widen(&self, from: &[C], to: &mut [Self::Sum]);
     fn narrow(&self, from: &[Self::Sum], to: &mut [C]);
+    /// The numbers themselves, if they are what sums are made of.
+    fn direct<'a>(&self, _: &'a [C]) -> Option<&'a [Self::Sum]> {
+        None
+    }
 }
 
 /// For themselves.
@@ -27,6 +31,10 @@ impl<C: Code> Meaning<C> for Themselves {
     #[inline(always)]
     fn narrow(&self, from: &[C::Sum], to: &mut [C]) {
         C::narrow(from, to);
+    }
+
+    fn direct<'a>(&self, values: &'a [C]) -> Option<&'a [C::Sum]> {
+        C::direct(values)
     }
 }
 

@@ -144,7 +144,7 @@ impl<T: Real> Blocks<T> {
         let starts = || (0..n).step_by(SIDE);
         let together: i64 = starts().map(|j| Self::lines(&taps, j..(j + SIDE).min(n))).sum();
         // side by side four sums share what they read, but multiply zeros where one reads and another does not
-        let side = if (together * SIDE as i64) as f64 <= 1.3 * taps.mean() * n as f64 { SIDE } else { 1 };
+        let side = if (together * SIDE as i64) as f64 <= 1.6 * taps.mean() * n as f64 { SIDE } else { 1 };
         let mut made = Self { side, blocks: Vec::new(), weights: Vec::new(), taps };
         for start in (0..n).step_by(side) {
             let reads = made.taps.reads(start..(start + side).min(n));

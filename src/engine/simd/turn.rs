@@ -4,7 +4,7 @@ use crate::engine::real::Real;
 use crate::engine::simd::Loop;
 
 /// Numbers on a side of the squares that are turned in registers.
-const SQUARE: usize = 8;
+pub(in crate::engine) const SQUARE: usize = 8;
 
 const WHOLE: &str = "matrices consist of whole squares";
 
