@@ -43,7 +43,7 @@ pub fn labels(name: &'static str, panel: &Panel, row: f64, dots: &[[f64; 2]], na
             let meets = |b: &&[f64; 4]| (b[0] - cx).abs() < b[2] + half && (b[1] - cy).abs() < b[3] + tall;
             let hides = |d: &&[f64; 2]| {
                 let [dx, dy] = part(d);
-                **d != *dot && (dx - cx).abs() < half + 1.5 / row && (dy - cy).abs() < tall
+                **d != *dot && (dx - cx).abs() < half + 1.5 / row && (dy - cy).abs() < tall + 0.6 / row
             };
             3 * taken.iter().filter(meets).count() + dots.iter().filter(hides).count()
         };
