@@ -13,7 +13,7 @@ use nyquist::kernel::catalog;
 use nyquist::prelude::*;
 
 /// Smaller, larger, both, hardly, many more pixels than a group, a panel or a window has, and one.
-const SIZES: [([usize; 2], [usize; 2]); 10] = [
+const SIZES: [([usize; 2], [usize; 2]); 11] = [
     ([37, 29], [11, 8]),
     ([11, 8], [37, 29]),
     ([40, 9], [12, 20]),
@@ -22,6 +22,7 @@ const SIZES: [([usize; 2], [usize; 2]); 10] = [
     ([600, 7], [90, 5]),
     ([150, 9], [600, 20]),
     ([9, 130], [12, 330]),
+    ([200, 400], [60, 110]),
     ([1, 1], [5, 3]),
     ([5, 3], [1, 1]),
 ];
