@@ -100,8 +100,11 @@ fn plan<C: Code>(
     arithmetic: Arithmetic,
 ) -> Resizer<C::Sum> {
     let taps = |i: usize| {
-        let axis = |n| Axis::cells(0.0..old[i] as f64, n).unwrap();
-        Weights::of(axis(old[i]), axis(new[i]), kernel).unwrap().taps(edge).unwrap()
+        let axis = |n| Axis::cells(0.0..old[i] as f64, n).expect("sizes and kernels are good");
+        Weights::of(axis(old[i]), axis(new[i]), kernel)
+            .expect("sizes and kernels are good")
+            .taps(edge)
+            .expect("sizes and kernels are good")
     };
     Resizer::new(taps(0), taps(1), arithmetic)
 }
@@ -111,8 +114,10 @@ fn resized<C: Code + PartialEq>(resizer: &Resizer<C::Sum>, image: &[C], channels
     let ([width, _], [new, height]) = (resizer.old(), resizer.new_size());
     let (row, stride) = (new * channels, new * channels + 3);
     let mut out = vec![mark; height * stride];
-    let view = View::new(image, resizer.old(), channels, width * channels).unwrap();
-    resizer.run(view, ViewMut::new(&mut out, [new, height], channels, stride).unwrap()).unwrap();
+    let view = View::new(image, resizer.old(), channels, width * channels).expect("sizes and kernels are good");
+    resizer
+        .run(view, ViewMut::new(&mut out, [new, height], channels, stride).expect("sizes and kernels are good"))
+        .expect("sizes and kernels are good");
     assert!(
         out.chunks(stride).all(|line| line[row..].iter().all(|v| *v == mark)),
         "between the rows nothing is written"
@@ -125,7 +130,12 @@ fn cases() -> impl Iterator<Item = (usize, [[usize; 2]; 2], Box<dyn Kernel>, Edg
     let names = ["mitchell", "lanczos-3", "catmull-rom", "tent"];
     SIZES.into_iter().zip(0..).flat_map(move |((old, new), i)| {
         (0..4).map(move |j| {
-            (1 + (i + j) % 4, [old, new], catalog::by_name(names[(i / 2 + j) % 4]).unwrap(), Edge::ALL[j])
+            (
+                1 + (i + j) % 4,
+                [old, new],
+                catalog::by_name(names[(i / 2 + j) % 4]).expect("sizes and kernels are good"),
+                Edge::ALL[j],
+            )
         })
     })
 }
