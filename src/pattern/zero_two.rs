@@ -10,7 +10,7 @@ use crate::pattern::{Pattern, countable};
 /// Every run of `2^m` points that starts at a multiple of `2^m` has exactly one in each elementary interval
 /// `[i 2^{−a}, (i+1) 2^{−a}) × [j 2^{−b}, (j+1) 2^{−b})`, `a + b = m`: it is jittered and N rooks at once, and all that is
 /// in between. The digits are permuted by default (an exclusive or with a random word: Kollig, Keller, *Efficient
-/// multidimensional sampling*, 2002), which keeps all of it. What [`Sobol`](crate::pattern::sobol::Sobol) does with
+/// multidimensional sampling*, 2002), which keeps all of it. What [`Sobol`] does with
 /// tables is written here in two short functions, of the same values.
 ///
 /// Order: of the index; `n` points are the first `n` of any more.

@@ -29,10 +29,13 @@ pub struct Case {
     pub light: bool,
 }
 
+/// What writes a resized image.
+pub type Run<'a, C> = Box<dyn FnMut(&mut [C]) + Send + 'a>;
+
 /// A way to do it once, into the numbers given.
 pub struct Way<'a, C> {
     pub name: String,
-    pub run: Box<dyn FnMut(&mut [C]) + Send + 'a>,
+    pub run: Run<'a, C>,
 }
 
 /// `f32` or bytes.

@@ -1,6 +1,6 @@
 //! The other crates that resize images.
 
-use crate::jobs::resize::{Case, Way};
+use crate::jobs::resize::{Case, Run, Way};
 use fast_image_resize::images::{Image, ImageRef};
 use fast_image_resize::{FilterType, PixelType, ResizeAlg, ResizeOptions, create_srgb_mapper};
 use pic_scale::{ImageSize, ImageStore, ImageStoreMut, LinearScaler, ResamplingFunction, Scaler, ThreadingPolicy};
@@ -25,7 +25,7 @@ impl Known for f32 {
 impl Known for u8 {
     fn peers(case: Case, source: &[Self], threads: usize) -> Vec<Way<'_, Self>> {
         let pixel = [PixelType::U8, PixelType::U8x3][case.channels / 2];
-        let fast: Box<dyn FnMut(&mut [Self]) + Send> =
+        let fast: Run<'_, Self> =
             if case.light { Box::new(fast_light(case, source, pixel)) } else { Box::new(fast(case, source, pixel)) };
         let (name, run) = pic(case, source, threads, 8);
         vec![Way { name: FAST.into(), run: fast }, Way { name, run }]
@@ -72,12 +72,7 @@ fn fast_light(case: Case, source: &[u8], pixel: PixelType) -> impl FnMut(&mut [u
 /// A kind of number of pic-scale.
 trait Scaled: Copy + Default + Send + Sync + std::fmt::Debug + 'static {
     /// A plan, as a function that uses it.
-    fn plan<'a>(
-        case: Case,
-        source: &'a [Self],
-        threads: usize,
-        depth: usize,
-    ) -> Box<dyn FnMut(&mut [Self]) + Send + 'a>;
+    fn plan<'a>(case: Case, source: &'a [Self], threads: usize, depth: usize) -> Run<'a, Self>;
 }
 
 macro_rules! plan {
