@@ -148,8 +148,6 @@ impl Scaled for u8 {
     }
 }
 
-type Run<'a, C> = Box<dyn FnMut(&mut [C]) + Send + 'a>;
-
 fn pic<C: Scaled>(case: Case, source: &[C], threads: usize, depth: usize) -> (String, Run<'_, C>) {
     ("pic-scale 0.7.12".into(), C::plan(case, source, threads, depth))
 }
