@@ -24,14 +24,13 @@ class Plan:
             raise ValueError(f"nyquist has no plan {name}{sizes}")
 
     def run(self, function, *arguments):
-        """A call without arguments left to give: what it needs is bound now."""
+        """A call without arguments left to give: what it needs is bound now, and lives as long as the call."""
         call = getattr(LIBRARY, function)
         call.restype = ctypes.c_int
         ready = [number(a) if isinstance(a, (int, float)) else pointer(a) for a in arguments]
-        return partial(self._checked, call, ctypes.c_void_p(self._plan), *ready)
+        return partial(self._checked, call, arguments, ctypes.c_void_p(self._plan), *ready)
 
-    @staticmethod
-    def _checked(call, *arguments):
+    def _checked(self, call, _alive, *arguments):
         if call(*arguments) != 0:
             raise RuntimeError(call.__name__)
 

@@ -19,7 +19,8 @@ macro_rules! transforms {
                 boxed(axis(n).map(PhysicalFft::new))
             }
 
-            /// `n` complex samples to `n` samples of the transform, zero in the middle. 0 if all went well.
+            /// `n` complex samples to `n` samples of the transform, zero in the middle, `repeats` times: what the
+            /// way to the threads costs would be more than a short transform. 0 if all went well.
             ///
             /// # Safety
             /// The plan came from `…_new`; both arrays hold `n` complex numbers.
@@ -30,10 +31,11 @@ macro_rules! transforms {
                 input: *const Complex<$number>,
                 output: *mut Complex<$number>,
                 threads: usize,
+                repeats: usize,
             ) -> i32 {
                 // SAFETY: promised by the caller
                 let (plan, input, output) = unsafe { (&*plan, slice(input, n), slice_mut(output, n)) };
-                on(threads, || plan.forward(input, output)).is_err().into()
+                on(threads, || (0..repeats).try_for_each(|_| plan.forward(input, output))).is_err().into()
             }
 
             /// A plan for `n` real samples.
@@ -42,7 +44,8 @@ macro_rules! transforms {
                 boxed(axis(n).map(PhysicalRealFft::new))
             }
 
-            /// `n` real samples to the transform at the `n/2 + 1` frequencies from zero on. 0 if all went well.
+            /// `n` real samples to the transform at the `n/2 + 1` frequencies from zero on, `repeats`
+            /// times. 0 if all went well.
             ///
             /// # Safety
             /// The plan came from `…_new`; the arrays hold `n` numbers and `n/2 + 1` complex numbers.
@@ -53,10 +56,11 @@ macro_rules! transforms {
                 input: *const $number,
                 output: *mut Complex<$number>,
                 threads: usize,
+                repeats: usize,
             ) -> i32 {
                 // SAFETY: promised by the caller
                 let (plan, input, output) = unsafe { (&*plan, slice(input, n), slice_mut(output, n / 2 + 1)) };
-                on(threads, || plan.forward(input, output)).is_err().into()
+                on(threads, || (0..repeats).try_for_each(|_| plan.forward(input, output))).is_err().into()
             }
         )*
     };
