@@ -138,7 +138,10 @@ impl Weighted {
             return Err(Error::Length { what, expected: self.weights.len(), got: values.len() });
         }
         all_finite("values at irregular places", values)?;
-        let weighted: Vec<f64> = values.iter().zip(&self.weights).map(|(v, w)| v * w).collect();
+        // a power of two, so that squares neither overflow nor vanish and nothing is rounded
+        let largest = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let unit = if largest > 0.0 { largest.log2().floor().clamp(-1000.0, 1000.0).exp2() } else { 1.0 };
+        let weighted: Vec<f64> = values.iter().zip(&self.weights).map(|(v, w)| v / unit * w).collect();
         let mut wanted = self.places.harmonics(&weighted, degree)?;
         if self.even {
             wanted.iter_mut().for_each(|sum| sum.im = 0.0);
@@ -149,6 +152,7 @@ impl Weighted {
             return Err(ill_conditioned(UNSETTLED, ritz.condition(), sure()));
         }
         coefficients[0].im = 0.0;
+        coefficients.iter_mut().for_each(|coefficient| *coefficient *= unit);
         TrigPolynomial::new(self.start..self.start + self.period, coefficients)
     }
 

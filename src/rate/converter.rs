@@ -178,7 +178,7 @@ impl<T: Real> Converter<T> {
     ///
     /// # Errors
     /// Those of [`push`](Self::push), after which `out` may hold anything; an output of another length than that of
-    /// `round(n·R/R₀)` frames.
+    /// `round(n·R/R₀)` frames; [`Error::Overflow`] where sums of finite samples are too large.
     pub fn whole(&mut self, frames: &[T], out: &mut [T]) -> Result<()> {
         whole(frames.len(), self.channels)?;
         // windows say themselves whether all is finite: the record is not read for it
@@ -204,7 +204,12 @@ impl<T: Real> Converter<T> {
         }
         let sound = self.end(frames, out);
         self.reset();
-        if sound { Ok(()) } else { finite(frames) }
+        if sound {
+            return Ok(());
+        }
+        finite(frames)?;
+        let most = T::max_value().to_f64().unwrap_or(f64::MAX);
+        Err(Error::Overflow { what: "a converted sample", value: f64::INFINITY, most })
     }
 
     fn reset(&mut self) {

@@ -168,6 +168,9 @@ impl Recoverable {
 
 /// The root mean square of differences.
 fn rms(near: &[f64], values: &[f64]) -> f64 {
-    let squares: f64 = near.iter().zip(values).map(|(a, b)| (a - b).powi(2)).sum();
-    (squares / values.len() as f64).sqrt()
+    // in units of the largest, a power of two: squares neither overflow nor vanish, and nothing is rounded
+    let largest = near.iter().zip(values).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+    let unit = if largest > 0.0 { largest.log2().floor().clamp(-1000.0, 1000.0).exp2() } else { 1.0 };
+    let squares: f64 = near.iter().zip(values).map(|(a, b)| ((a - b) / unit).powi(2)).sum();
+    unit * (squares / values.len() as f64).sqrt()
 }

@@ -141,3 +141,13 @@ fn what_cannot_be_is_refused() {
     assert!(converter.whole(&[f64::MAX; 10_000], &mut [0.0; 20_000]).is_ok());
     assert!(matches!(converter.push(&[0.0, f64::NAN], &mut out), Err(Error::NotFiniteAt { index: 1, .. })));
 }
+
+#[test]
+fn sums_that_overflow_are_told_and_not_taken_for_bad_input() {
+    let loud = vec![f64::MAX; 48_000];
+    for quality in Quality::ALL {
+        let mut out = vec![0.0; 44_100];
+        let told = Converter::new(48_000.0, 44_100.0, 1, quality).unwrap().whole(&loud, &mut out);
+        assert!(matches!(told, Err(Error::Overflow { .. })), "{quality:?}: {told:?}");
+    }
+}

@@ -34,6 +34,22 @@ fn exact_values_give_the_polynomial_that_singular_values_give() {
     }
 }
 
+/// Squares of such values overflow or vanish; a power of two rounds nothing.
+#[test]
+fn values_of_any_size_are_restored() {
+    let positions = jittered_cells(3, 64, 1.0);
+    let f = random_polynomial(5, 64.0, 20).unwrap();
+    let equations = Weighted::new(0.0..64.0, parts(&positions, 64.0), 20).unwrap();
+    let fit = |size: f64| {
+        let values: Vec<f64> = positions.iter().map(|&x| f.at(x) * size).collect();
+        equations.fit(&values, 20).unwrap().coefficients().to_vec()
+    };
+    let plain = fit(1.0);
+    for size in [600f64.exp2(), (-600f64).exp2()] {
+        assert!(fit(size).iter().zip(&plain).all(|(large, one)| *large == one * size), "{size:e}");
+    }
+}
+
 #[test]
 fn the_condition_number_is_that_of_the_weighted_matrix_and_below_its_bound() {
     for (seed, width, degree) in [(1, 0.5, 10), (2, 0.5, 20), (3, 0.9, 15), (4, 0.2, 25)] {

@@ -13,6 +13,9 @@ use num_complex::Complex;
 pub(super) fn centre<T: Real>(numbers: &mut [Complex<T>], factors: &Turns<T>) {
     let middle = numbers.len() / 2;
     let (low, high) = numbers.split_at_mut(middle);
+    if low.len() <= PIECE {
+        return vectorised(Exchange { first: 0, middle, low, high, factors });
+    }
     let mut pieces: Vec<_> = low.chunks_mut(PIECE).zip(high.chunks_mut(PIECE)).collect();
     parallel::chunks(&mut pieces, 1, |i, piece| {
         for (low, high) in piece {
@@ -71,12 +74,16 @@ pub(super) fn unfold<T: Real>(numbers: &mut [Complex<T>], roots: &Turns<T>, fact
     numbers[middle] = numbers[0];
     let (front, back) = numbers.split_at_mut(middle.div_ceil(2));
     let (between, back) = back.split_at_mut(1 - middle % 2);
-    let mut ends: Vec<_> = front.chunks_mut(PIECE).zip(back.rchunks_mut(PIECE)).collect();
-    parallel::chunks(&mut ends, 1, |i, ends| {
-        for (front, back) in ends {
-            vectorised(Ends { first: i * PIECE, middle, front, back, roots, factors });
-        }
-    });
+    if front.len() <= PIECE {
+        vectorised(Ends { first: 0, middle, front, back, roots, factors });
+    } else {
+        let mut ends: Vec<_> = front.chunks_mut(PIECE).zip(back.rchunks_mut(PIECE)).collect();
+        parallel::chunks(&mut ends, 1, |i, ends| {
+            for (front, back) in ends {
+                vectorised(Ends { first: i * PIECE, middle, front, back, roots, factors });
+            }
+        });
+    }
     for z in between {
         let twice = *z + *z;
         *z = factors.map_or(z.conj(), |factors| twice.conj() * factors.at(middle / 2));

@@ -1,6 +1,6 @@
 //! Frames in, findings out.
 
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, Result, positive, within};
 use crate::inspect::sound::channel::Channel;
 use crate::inspect::sound::ends::Ends;
 use crate::inspect::sound::levels::Gauge;
@@ -9,6 +9,11 @@ use crate::inspect::sound::window::BETA;
 use crate::sampled::segments::{Detrend, Segments, whole_frames};
 use crate::sampled::welch::Welch;
 use crate::sampled::window::Window;
+
+/// The square of a larger value times the number of values is near the end of `f64`, and that of one over it near zero.
+const LARGEST: f64 = 1e140;
+
+const PEAK: &str = "the size of the largest sample, whose square is needed";
 
 /// Sound of fewer frames has no band that could be told.
 pub const LEAST_FRAMES: usize = 64;
@@ -40,6 +45,8 @@ pub struct Meter {
     rate: f64,
     channels: usize,
     frames: u64,
+    /// The size of the largest value.
+    peak: f64,
     gauges: Vec<Gauge>,
     /// The first frames, until there are enough to choose how long segments are.
     head: Vec<f64>,
@@ -73,7 +80,7 @@ impl Meter {
         if channels == 0 {
             return Err(Error::TooFew { what: "channels", least: 1, got: 0 });
         }
-        Ok(Self { rate, channels, frames: 0, gauges: Vec::new(), head: Vec::new(), spectra: None })
+        Ok(Self { rate, channels, frames: 0, peak: 0.0, gauges: Vec::new(), head: Vec::new(), spectra: None })
     }
 
     /// The longest segment for so many channels: a power of two.
@@ -85,9 +92,11 @@ impl Meter {
     /// Takes whole frames, one value for each channel in turn.
     ///
     /// # Errors
-    /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`]; nothing has been taken then.
+    /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`], values beyond 10¹⁴⁰; nothing has been taken then.
     pub fn push(&mut self, frames: &[f64]) -> Result<()> {
         whole_frames(frames, self.channels)?;
+        self.peak = frames.iter().fold(self.peak, |peak, value| peak.max(value.abs()));
+        within(PEAK, self.peak, 0.0, LARGEST)?;
         if self.gauges.is_empty() {
             self.gauges = frames.iter().take(self.channels).map(|first| Gauge::new(*first)).collect();
         }
@@ -121,7 +130,7 @@ impl Meter {
     /// Ends the sound.
     ///
     /// # Errors
-    /// Fewer than [`LEAST_FRAMES`] frames.
+    /// Fewer than [`LEAST_FRAMES`] frames; a sound that is no silence, but nowhere above 10⁻¹⁴⁰.
     pub fn finish(mut self) -> Result<Sound> {
         if self.spectra.is_none() {
             let frames = self.frames as usize;
@@ -132,6 +141,9 @@ impl Meter {
             // the largest power of two that is at most an eighth of all
             let eighth = (frames / PART).max(LEAST_FRAMES);
             self.choose(1 << eighth.ilog2())?;
+        }
+        if self.peak > 0.0 {
+            within(PEAK, self.peak, 1.0 / LARGEST, LARGEST)?;
         }
         let Self { rate, frames, gauges, spectra, .. } = self;
         let Spectra { welch, moments, ends } = spectra.expect("segments have been chosen by now");
