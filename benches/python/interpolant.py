@@ -1,4 +1,4 @@
-"""Job c: a million real samples of a period, and their band-limited interpolant at as many arbitrary points.
+"""Job c: up to four million real samples of a period, and their band-limited interpolant at as many arbitrary points.
 
 Ours from samples to values. The peers have complex transforms: the samples' spectrum by ducc0's real transform, then
 either all harmonics, of which symmetry repeats one half, or that half moved to the middle, which the phases of the points

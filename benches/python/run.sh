@@ -9,7 +9,7 @@ jobs=("$@")
 if [ ${#jobs[@]} = 0 ]; then jobs=(fft plane interpolant sound resize spectrum points film figures); fi
 
 # what Python cannot bring along: FFTW itself stands in its wheel; resize uses libzimg2 of Debian where it is installed
-test -d venv || python3 -m venv venv
+test -x venv/bin/pip || python3 -m venv venv
 venv/bin/pip install --quiet --requirement requirements.txt
 
 cargo build --locked --release --package peers --package nyquist

@@ -3,6 +3,7 @@
 use crate::beyond::toeplitz::Toeplitz;
 use crate::error::{Error, Result, all_finite};
 use crate::num::random::normal;
+use crate::num::scale::scale;
 use crate::sampled::harmonics::Places;
 use crate::signal::trigonometric::{TrigPolynomial, rising};
 use num_complex::Complex;
@@ -138,9 +139,7 @@ impl Weighted {
             return Err(Error::Length { what, expected: self.weights.len(), got: values.len() });
         }
         all_finite("values at irregular places", values)?;
-        // a power of two, so that squares neither overflow nor vanish and nothing is rounded
-        let largest = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-        let unit = if largest > 0.0 { largest.log2().floor().clamp(-1000.0, 1000.0).exp2() } else { 1.0 };
+        let unit = scale(values.iter().copied());
         let weighted: Vec<f64> = values.iter().zip(&self.weights).map(|(v, w)| v / unit * w).collect();
         let mut wanted = self.places.harmonics(&weighted, degree)?;
         if self.even {

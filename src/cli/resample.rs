@@ -143,7 +143,7 @@ fn convert<R: Read, W: Write>(
         converted.clear();
         Ok(())
     })?;
-    converter.finish(&mut converted);
+    converter.finish(&mut converted)?;
     writer.write(&converted)
 }
 

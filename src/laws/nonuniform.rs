@@ -22,7 +22,8 @@ pub fn impulses(seed: u64, n: usize) -> Vec<[f64; 2]> {
 /// the sum of their weights (Potts and Tasche 2021).
 ///
 /// Measured: the largest difference from the [direct sum](transform), as a part of `Σ|w|`. Allowed: `promised`, and the
-/// rounding of the direct sum's own waves, `2kε` for the powers and `πkε` for the turn, and of `n` terms, `ε√n`.
+/// rounding of the direct sum's own waves, `2kε` for the powers and `πkε` for the turn, together below `2πkε`, and of `n`
+/// terms, `ε√n`.
 ///
 /// # Errors
 /// As [`Nufft::new`].
@@ -40,7 +41,7 @@ pub fn harmonics_agree(impulses: &[[f64; 2]], degree: usize, tolerance: f64, pro
 /// From points to harmonics is the adjoint of from harmonics to points: `⟨A c, w⟩ = ⟨c, A* w⟩`, to rounding, whatever
 /// the tolerance, when `A` takes values `at` the points of the weights.
 ///
-/// Measured: the difference, as a part of `‖c‖·Σ|w|`, which both sides are below. Allowed: the rounding of two
+/// Measured: the difference, as a part of `√(2K + 1)·‖c‖·Σ|w|`, which both sides are below. Allowed: the rounding of two
 /// transforms, `ε` for each of the `log₂` stages and of the sums over windows, times the gains that undo the window,
 /// below `16`.
 ///
@@ -62,7 +63,8 @@ pub fn adjoint(impulses: &[[f64; 2]], at: &[[f64; 2]], degree: usize, tolerance:
 /// The sampling theorem of a period: `n` samples of a polynomial of degree below `n/2` have its values everywhere.
 ///
 /// Measured: the largest difference at 200 places. Allowed: `tolerance·Σ|c|`, and the rounding of the polynomial's own
-/// values, `2Kε·Σ|c|` in the samples and again at the places.
+/// values, `2Kε·Σ|c|` in the samples and again at the places, and of positions up to two periods away, `5πKε·Σ|c|`: `ε/2` of
+/// the period in the samples, twice that at the places, and twice that in the step.
 ///
 /// # Errors
 /// As [`PeriodicInterpolator::new`].
@@ -74,7 +76,7 @@ pub fn period_is_sampled(f: &TrigPolynomial, n: usize, tolerance: f64) -> Result
     let values = between.values(&samples, &between.place(&places)?)?;
     let differences = places.iter().zip(values).map(|(x, v)| (v - f.at(f.start() + x * step)).abs());
     let size: f64 = f.coefficients().iter().map(|c| 2.0 * c.norm()).sum();
-    let bound = (tolerance + 8.0 * f.degree() as f64 * f64::EPSILON) * size;
+    let bound = (tolerance + 20.0 * f.degree() as f64 * f64::EPSILON) * size;
     Ok(Residual::at_most("samples of a period have its values everywhere", differences.fold(0.0, f64::max), bound))
 }
 
@@ -82,8 +84,8 @@ pub fn period_is_sampled(f: &TrigPolynomial, n: usize, tolerance: f64) -> Result
 /// multiples of `n` and nothing between, whatever lies between the cells of a grid.
 ///
 /// `offset` and `stray` are parts of the period; the last impulse stands `stray` behind its place, and then the theorem does
-/// not hold. Measured: the largest difference, as a part of `n`. Allowed: `tolerance`, and the rounding `πε` of places, which
-/// harmonic `k` turns `k` times, and `ε√n` of the sums.
+/// not hold. Measured: the largest difference, as a part of `n`. Allowed: `tolerance`, and the rounding `4πkε` of phases, from
+/// `3ε/2` of the period in the places and `ε/2` in the turns of the lines, and `ε√n` of the sums.
 ///
 /// # Errors
 /// As [`Nufft::new`].
@@ -98,7 +100,7 @@ pub fn comb_sums_to_comb([offset, stray]: [f64; 2], n: usize, degree: usize, tol
         (found / n as f64 - line).norm()
     };
     let worst = found.iter().enumerate().map(difference).fold(0.0, f64::max);
-    let rounding = f64::EPSILON * (std::f64::consts::TAU * degree as f64 + (n as f64).sqrt());
+    let rounding = f64::EPSILON * (2.0 * std::f64::consts::TAU * degree as f64 + (n as f64).sqrt());
     Ok(Residual::at_most("a comb's harmonics are a comb (Poisson)", worst, tolerance + rounding))
 }
 

@@ -8,6 +8,7 @@ pub mod isoline;
 pub mod mean;
 pub mod quadrature;
 pub mod random;
+pub(crate) mod scale;
 mod sinc;
 pub mod special;
 pub mod svd;

@@ -42,7 +42,8 @@ pub struct PoissonDisk {
 /// Stillinger 2006).
 pub const JAMMED: f64 = 0.54707;
 
-/// Rounds after the first at most: beyond, the parts would be smaller than rounding.
+/// Rounds after the first at most: the parts of the last are 3·10⁻⁶ radii wide; two rounds more, and those of the
+/// smallest radius could not be numbered along a side of the square in 32 bits.
 const MOST_ROUNDS: u32 = 16;
 
 /// Twice the darts that the first round throws for every square of side `radius/√2`; every later round throws one for every

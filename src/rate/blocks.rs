@@ -82,17 +82,18 @@ impl<T: Real> Blocks<T> {
         self.delay() + (more * self.down).div_ceil(self.up)
     }
 
-    /// Takes frames, and appends to `out` what they decide.
-    pub(super) fn push(&mut self, frames: &[T], out: &mut Vec<T>) {
+    /// Takes frames, and appends to `out` what they decide; false if a sum of values was not finite.
+    pub(super) fn push(&mut self, frames: &[T], out: &mut Vec<T>) -> bool {
         let there = (self.kept.len() + frames.len()) / self.channels;
         let windows = there.checked_sub(self.window * self.down).map_or(0, |more| more / self.used() + 1);
         let start = out.len();
         out.resize(start + windows * self.made() * self.channels, T::zero());
-        self.fill(frames, &mut out[start..]);
+        let finite = self.fill(frames, &mut out[start..]);
         let gone = windows * self.used() * self.channels;
         let new = gone.saturating_sub(self.kept.len());
         self.kept.drain(..gone - new);
         self.kept.extend_from_slice(&frames[new..]);
+        finite
     }
 
     /// What comes next, if after these frames there is silence; false if a value was not finite, or a sum of values.
@@ -115,8 +116,9 @@ impl<T: Real> Blocks<T> {
                     frames.read(channel, number * self.used(), length, values);
                     for (values, made) in values.chunks_exact(length).zip(made.chunks_exact_mut(longer)) {
                         self.convert(values, spectrum, made);
-                        // the sum of all values: of one that is not finite nothing finite can come
-                        if !spectrum[0].re.is_finite() {
+                        // each is a sum over all bins, the first of real parts, the second of imaginary ones: of a value or
+                        // bin that is not finite nothing finite can come
+                        if !made[..2].iter().all(|v| v.is_finite()) {
                             finite.store(false, Relaxed);
                         }
                     }

@@ -32,7 +32,7 @@ const BLOCK: usize = 1 << 17;
 ///     let samples: Vec<f64> = (0..4410).map(|i| tone(44_100.0, 4410 * block + i)).collect();
 ///     converter.push(&samples, &mut converted)?;
 /// }
-/// converter.finish(&mut converted);
+/// converter.finish(&mut converted)?;
 /// assert_eq!(converted.len(), 48_000);
 /// // in the middle it is the same tone, at the same phase, to 200 dB
 /// let worst = (8_000..40_000).map(|i| (converted[i] - tone(48_000.0, i)).abs()).fold(0.0, f64::max);
@@ -136,31 +136,39 @@ impl<T: Real> Converter<T> {
     /// Takes whole frames, one value for each channel in turn, and appends to `out` those frames that they decide.
     ///
     /// # Errors
-    /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`]; nothing has been taken then.
+    /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`]; nothing has been taken then. [`Error::Overflow`] where
+    /// sums of finite samples are too large: the frames have been taken, and not all that was appended is finite.
     pub fn push(&mut self, frames: &[T], out: &mut Vec<T>) -> Result<()> {
         whole_frames(frames, self.channels)?;
         self.taken += (frames.len() / self.channels) as u64;
         let start = out.len();
-        match &mut self.way {
-            Way::Copy => out.extend_from_slice(frames),
+        let sound = match &mut self.way {
+            Way::Copy => {
+                out.extend_from_slice(frames);
+                true
+            }
             Way::Whole(blocks) => blocks.push(frames, out),
             Way::Real(blocks, between) => {
-                blocks.push(frames, &mut between.samples);
+                let sound = blocks.push(frames, &mut between.samples);
                 let ready = between.ready();
                 out.resize(start + ready * self.channels, T::zero());
                 between.fill(&mut out[start..]);
                 between.go_on(ready);
+                sound
             }
-        }
+        };
         self.given += ((out.len() - start) / self.channels) as u64;
-        Ok(())
+        if sound { Ok(()) } else { Err(too_large::<T>()) }
     }
 
     /// Ends the input, and appends to `out` all that is left: in all there come `round(n·R/R₀)` frames.
-    pub fn finish(mut self, out: &mut Vec<T>) {
+    ///
+    /// # Errors
+    /// [`Error::Overflow`] as [`push`](Self::push).
+    pub fn finish(mut self, out: &mut Vec<T>) -> Result<()> {
         let (start, missing) = (out.len(), self.ratio.frames(self.taken) - self.given);
         out.resize(start + missing as usize * self.channels, T::zero());
-        self.end(&[], &mut out[start..]);
+        if self.end(&[], &mut out[start..]) { Ok(()) } else { Err(too_large::<T>()) }
     }
 
     /// A whole record, from its first frame to its last, to where it stays: what [`push`](Self::push) and
@@ -190,11 +198,11 @@ impl<T: Real> Converter<T> {
             return Err(Error::Length { what: "the values of the converted frames", expected, got: out.len() });
         }
         self.reset();
-        let (mut frames, mut out) = (frames, out);
+        let (mut frames, mut out, mut sound) = (frames, out, true);
         if let Way::Real(blocks, between) = &mut self.way {
             // what lies between is not kept as a whole
             while let Some((block, rest)) = frames.split_at_checked(BLOCK * self.channels) {
-                blocks.push(block, &mut between.samples);
+                sound &= blocks.push(block, &mut between.samples);
                 let ready = between.ready();
                 let (done, later) = out.split_at_mut(ready * self.channels);
                 between.fill(done);
@@ -202,14 +210,13 @@ impl<T: Real> Converter<T> {
                 (frames, out) = (rest, later);
             }
         }
-        let sound = self.end(frames, out);
+        sound &= self.end(frames, out);
         self.reset();
         if sound {
             return Ok(());
         }
         finite(frames)?;
-        let most = T::max_value().to_f64().unwrap_or(f64::MAX);
-        Err(Error::Overflow { what: "a converted sample", value: f64::INFINITY, most })
+        Err(too_large::<T>())
     }
 
     fn reset(&mut self) {
@@ -242,6 +249,12 @@ impl<T: Real> Converter<T> {
     }
 }
 
+/// The error for finite samples whose sums are not.
+fn too_large<T: Real>() -> Error {
+    let most = T::max_value().to_f64().unwrap_or(f64::MAX);
+    Error::Overflow { what: "a converted sample", value: f64::INFINITY, most }
+}
+
 /// A whole record of one channel at another rate; the same bits on every processor.
 ///
 /// ```
@@ -253,7 +266,7 @@ impl<T: Real> Converter<T> {
 /// ```
 ///
 /// # Errors
-/// Those of [`Converter::new`]; values that are not finite.
+/// Those of [`Converter::new`]; values that are not finite, or whose sums are too large.
 pub fn convert(values: &[f64], from: f64, to: f64, quality: Quality) -> Result<Vec<f64>> {
     let mut converter = Converter::new(from, to, 1, quality)?;
     let mut out = vec![0.0; converter.ratio.frames(values.len() as u64) as usize];

@@ -16,10 +16,11 @@
 //! The filter is a sinc under Kaiser's window, whose parameter and length follow from the promise by the window's transform
 //! ([`design`]). A ratio `L/M` of whole numbers is done by overlap-save (Stockham 1966): a window of `qM` samples is
 //! transformed, its spectrum multiplied by the filter and cut or padded to that of `qL` samples, and transformed back; what
-//! the ends of the window touch is thrown away, a tenth to a fifth of it. So the phases of the ratio are exact, however
-//! large `L` and `M` are. Other ratios go through twice the rate, or a whole fraction of it, by the same means, and from
-//! there, where the signal is oversampled at least twice, to any times by a kernel of 32 samples whose values stand in a
-//! table (error `10⁻¹²`). Times are counted in steps of 2⁻¹²⁸ samples.
+//! the ends of the window touch is thrown away, a twelfth to a fifth of it (up to half where windows would be too long). So
+//! the phases of the ratio are exact, however large `L` and `M` are. Other ratios go through twice the rate, or a whole
+//! fraction of it, by the same means, and from there, where the signal is oversampled at least twice, to any times by a
+//! kernel of 32 samples whose values stand in a table (error `2·10⁻¹²` a sample). Times are counted in steps of 2⁻¹²⁸
+//! samples.
 //!
 //! Delay is compensated: the filter is symmetric, and output `m` stands for the time `m/R` exactly. Of `n` samples there
 //! come `round(n·R/R₀)`. Before and after the record there is silence. What is given stays behind what was taken by less

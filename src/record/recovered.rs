@@ -3,6 +3,7 @@
 use crate::axis::Edge;
 use crate::beyond::Weighted;
 use crate::error::{Error, Result, positive};
+use crate::num::scale::scale;
 use crate::record::dense::Dense;
 use crate::record::ends::{Ends, Recovered};
 use crate::sampled::harmonics::Places;
@@ -168,9 +169,8 @@ impl Recoverable {
 
 /// The root mean square of differences.
 fn rms(near: &[f64], values: &[f64]) -> f64 {
-    // in units of the largest, a power of two: squares neither overflow nor vanish, and nothing is rounded
-    let largest = near.iter().zip(values).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
-    let unit = if largest > 0.0 { largest.log2().floor().clamp(-1000.0, 1000.0).exp2() } else { 1.0 };
-    let squares: f64 = near.iter().zip(values).map(|(a, b)| ((a - b) / unit).powi(2)).sum();
+    let differences = || near.iter().zip(values).map(|(a, b)| a - b);
+    let unit = scale(differences());
+    let squares: f64 = differences().map(|d| (d / unit).powi(2)).sum();
     unit * (squares / values.len() as f64).sqrt()
 }

@@ -3,7 +3,7 @@
 
 use crate::engine::fft::{Butterflies, RealFft};
 use crate::engine::real::Real;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, within};
 use crate::num::mean::{mean, weighted_mean};
 use crate::parallel;
 use crate::sampled::window::Window;
@@ -171,6 +171,15 @@ pub(crate) fn finite<T: Real>(values: &[T]) -> Result<()> {
     }
 }
 
+/// The square of a larger value times the number of values is near the end of `f64`, and that of one over it near zero.
+pub(crate) const LARGEST: f64 = 1e140;
+
+/// The size of the largest value, or of the largest before if that is larger; refuses one whose square is too large.
+pub(crate) fn peak(before: f64, values: &[f64]) -> Result<f64> {
+    let peak = values.iter().fold(before, |peak, value| peak.max(value.abs()));
+    within("the size of the largest sample, whose square is needed", peak, 0.0, LARGEST)
+}
+
 /// Room to transform one segment in.
 #[derive(Default)]
 struct Bench {
@@ -213,10 +222,11 @@ impl Periodograms {
     /// after channel, those of a channel in their order.
     ///
     /// # Errors
-    /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`]; nothing has been taken then.
+    /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`], values beyond 10¹⁴⁰; nothing has been taken then.
     pub fn push(&mut self, frames: &[f64], mut each: impl FnMut(usize, &[f64])) -> Result<()> {
         let count = self.queues.len();
         whole_frames(frames, count)?;
+        peak(0.0, frames)?;
         for channel in 0..count {
             self.queues[channel].extend(frames.iter().skip(channel).step_by(count));
             self.run(channel, BENCHES, &mut each);

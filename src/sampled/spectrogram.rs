@@ -72,7 +72,8 @@ impl SpectrogramWriter {
     /// Takes whole frames, one value for each channel in turn.
     ///
     /// # Errors
-    /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`]; nothing has been taken then.
+    /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`], values beyond 10¹⁴⁰; nothing has been taken
+    /// then.
     pub fn push(&mut self, frames: &[f64]) -> Result<()> {
         let Self { periodograms, lanes, most, bins, .. } = self;
         periodograms.push(frames, |channel, powers| lanes[channel].add(powers, *bins, *most))?;

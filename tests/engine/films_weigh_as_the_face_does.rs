@@ -104,10 +104,11 @@ fn what_cannot_be_developed_is_refused() {
     assert!(new([2, 2], 2.0, |_| f64::NAN).unwrap_err().contains("not smooth between pixels"));
     let film = new([2, 2], 1.0, |t| 1.0 - t.abs()).unwrap();
     let good = film::Sample { at: [0.5f32; 2], light: [1.0] };
-    let mut samples = vec![good; 100_000];
-    samples[70_001].at[1] = f32::NAN;
+    // beyond the blocks that are sorted together, and not in the first of the next ones
+    let mut samples = vec![good; 1_200_000];
+    samples[1_100_001].at[1] = f32::NAN;
     let error = film.develop(&samples).unwrap_err().to_string();
-    assert_eq!(error, "places of samples must be finite, but number 70001 (counted from 0) is NaN");
+    assert_eq!(error, "places of samples must be finite, but number 1100001 (counted from 0) is NaN");
     samples[20].light[0] = f32::INFINITY;
     let error = film.develop(&samples).unwrap_err().to_string();
     assert_eq!(error, "lights of samples must be finite, but number 20 (counted from 0) is inf");

@@ -293,6 +293,37 @@ fn plain_sums_have_the_bits_of_a_loop_and_all_have_the_same_on_any_number_of_thr
 }
 
 #[test]
+fn positions_without_weights_are_zero() {
+    let one = [1.0];
+    // down first and across first; more of them than a group of rows and a panel of columns have
+    for (old, new) in [([300, 200], [128, 64]), ([20, 1], [2048, 128])] {
+        let there = |i: usize, j: usize| j >= new[i] / 2;
+        let place = |i: usize, j: usize| j * old[i] / new[i];
+        let taps = |i: usize| {
+            let rows = (0..new[i]).map(|j| (place(i, j) as i64, if there(i, j) { &one[..] } else { &one[..0] }));
+            Taps::new(old[i], Edge::Clamp, rows).unwrap()
+        };
+        let plan = Resizer::<f32>::new(taps(0), taps(1), Arithmetic::Plain);
+        let image: Vec<u8> = (0..old[0] * old[1]).map(|i| (1 + i % 255) as u8).collect();
+        for (i, got) in resized(&plan, &image, 1, 3).into_iter().enumerate() {
+            let (x, y) = (i % new[0], i / new[0]);
+            let known = if there(0, x) && there(1, y) { image[place(1, y) * old[0] + place(0, x)] } else { 0 };
+            assert_eq!(got, known, "{old:?} to {new:?}, {x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn what_lies_behind_a_single_row_does_not_matter() {
+    let taps = || Taps::new(1, Edge::Clamp, [(0, &[1.0][..])]).unwrap();
+    let plan = Resizer::<f32>::new(taps(), taps(), Arithmetic::Plain);
+    let (source, mut target) = ([5u8], [0u8]);
+    let view = View::new(&source, [1, 1], 1, usize::MAX).unwrap();
+    plan.run(view, ViewMut::new(&mut target, [1, 1], 1, usize::MAX).unwrap()).unwrap();
+    assert_eq!(target, source);
+}
+
+#[test]
 fn what_cannot_be_resized_is_refused() {
     let half = [0.5, 0.5];
     let rows = |first: i64| [(first, &half[..])];
@@ -328,4 +359,5 @@ fn what_cannot_be_resized_is_refused() {
     assert!(
         Light::new(|_| 0.5).is_err() && Light::new(|v| 1.0 - v).is_err() && Light::new(|v| 1.0 / (v - 1.0)).is_err()
     );
+    assert!(Light::new(|v| 2.0 * v).is_err() && Light::new(|v| v - 0.5).is_err());
 }

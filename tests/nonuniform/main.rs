@@ -21,16 +21,20 @@ fn numbers(seed: u64, n: usize) -> Vec<f64> {
     (0..n as u64).map(|i| 2.0 * uniform(seed, i, 2) - 1.0).collect()
 }
 
-/// `e^{−2πikx/period}`, its turns reduced in whole numbers.
+/// `e^{−2πikx/period}`, whatever the degree, to `8πε + ε < 27ε`: products and remainders are exact; two sums below two
+/// periods, their quotient and the angle are rounded.
 fn wave(k: i64, (whole, fraction): (i64, f64), period: usize) -> Complex<f64> {
-    let turns = (k * whole).rem_euclid(period as i64) as f64 + k as f64 * fraction;
+    let product = k as f64 * fraction;
+    let lost = (k as f64).mul_add(fraction, -product);
+    let turns = (k * whole).rem_euclid(period as i64) as f64 + product % period as f64 + lost;
     Complex::cis(-std::f64::consts::TAU * (turns / period as f64).fract())
 }
 
-/// How far direct sums in `f64` may be off, as a part of the sum of all sizes: each wave by the rounding of up to `degree`
-/// turns of `2ε`, and sums of `n` numbers by `ε√n` or so.
-fn rounding(degree: usize, n: usize) -> f64 {
-    f64::EPSILON * (8.0 + 4.0 * std::f64::consts::PI * degree.min(1000) as f64 / 100.0 + (n as f64).sqrt())
+/// How far direct sums in `f64` of products with so many waves may be off, and transforms beside their tolerance, as a
+/// part of the sum of all sizes: each wave by `27ε`, sums of `n` numbers by `ε√n` or so, transforms by some `10⁻¹⁵`. (A pair
+/// is placed to `ε/2` of a unit, which in periods of one unit turns harmonic `k` by `πkε`: points average it out.)
+fn rounding(waves: usize, n: usize) -> f64 {
+    f64::EPSILON * (27.0 * waves as f64 + (n as f64).sqrt() + 5.0)
 }
 
 /// The root of the mean square of the differences, as a part of that of the numbers.

@@ -35,7 +35,8 @@ fn even_and_odd_records_have_the_values_of_their_dirichlet_sums() {
             let found = between.values(&samples, &between.place(&points).unwrap()).unwrap();
             for (point, found) in points.iter().zip(found) {
                 let error = (found - dirichlet(&samples, *point)).abs();
-                assert!(error <= (tolerance + rounding(n, n)) * size, "{n} {tolerance} {point:?}: {error}");
+                // weights of the direct sum have a dozen roundings, fewer than a wave
+                assert!(error <= (tolerance + rounding(1, n)) * size, "{n} {tolerance} {point:?}: {error}");
             }
         }
     }

@@ -19,7 +19,7 @@ fn cuts_and_neighbours_do_not_matter() {
             for block in interleaved.chunks(3 * size) {
                 converter.push(block, &mut out).unwrap();
             }
-            converter.finish(&mut out);
+            converter.finish(&mut out).unwrap();
             assert_eq!(out.len(), 3 * alone[0].len());
             let same = out.iter().enumerate().all(|(i, v)| v.to_bits() == alone[i % 3][i / 3].to_bits());
             assert!(same, "{from} → {to}, blocks of {size}");
@@ -35,7 +35,7 @@ fn threads_do_not_matter_nor_whether_a_record_comes_at_once() {
         let mut blocks = converter();
         let mut expected = Vec::new();
         stereo.chunks(20_000).for_each(|block| blocks.push(block, &mut expected).unwrap());
-        blocks.finish(&mut expected);
+        blocks.finish(&mut expected).unwrap();
         for threads in [1, 2, 3] {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             let mut out = vec![0.0; expected.len()];

@@ -145,10 +145,23 @@ fn what_cannot_be_is_refused() {
 
 #[test]
 fn sums_that_overflow_are_told_and_not_taken_for_bad_input() {
-    let loud = vec![f64::MAX; 48_000];
-    for quality in Quality::ALL {
-        let mut out = vec![0.0; 44_100];
-        let told = Converter::new(48_000.0, 44_100.0, 1, quality).unwrap().whole(&loud, &mut out);
-        assert!(matches!(told, Err(Error::Overflow { .. })), "{quality:?}: {told:?}");
+    // a constant; and a tone, whose values add up to nothing
+    let tone = [f64::MAX, f64::MAX, -f64::MAX, -f64::MAX].repeat(12_000);
+    for loud in [vec![f64::MAX; 48_000], tone] {
+        for quality in Quality::ALL {
+            let mut out = vec![0.0; 44_100];
+            let mut converter = Converter::new(48_000.0, 44_100.0, 1, quality).unwrap();
+            let told = converter.whole(&loud, &mut out);
+            assert!(matches!(told, Err(Error::Overflow { .. })), "{quality:?}: {told:?}");
+            let told = converter.push(&loud, &mut Vec::new());
+            assert!(matches!(told, Err(Error::Overflow { .. })), "{quality:?}, as a stream: {told:?}");
+        }
     }
+    // in the first of several blocks, between rates that are no ratio
+    let mut early = vec![0.0; 200_000];
+    early[..1_000].fill(f64::MAX);
+    let mut converter = Converter::new(1.0, 0.3 * PI, 1, Quality::Fast).unwrap();
+    let mut out = vec![0.0; converter.ratio().frames(200_000) as usize];
+    let told = converter.whole(&early, &mut out);
+    assert!(matches!(told, Err(Error::Overflow { .. })), "{told:?}");
 }

@@ -133,6 +133,8 @@ fn nonsense_is_refused_and_nothing_taken() {
     let mut welch = Welch::new(1.0, 2, segments).unwrap();
     assert!(welch.push(&[1.0; 3]).is_err());
     assert!(welch.push(&[1.0, f64::NAN]).is_err());
+    // a power that would be infinite
+    assert!(welch.push(&[1e200; 16]).is_err());
     assert!(welch.finish().is_err());
 }
 

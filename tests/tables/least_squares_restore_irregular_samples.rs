@@ -117,9 +117,10 @@ fn a_record_and_its_reflection_need_cosines_alone() {
     let general = Weighted::new(0.0..1.0, Places::Anywhere(places), degree).unwrap();
     let condition = general.condition(degree, 100.0).unwrap();
     let cosines = general.clone().even();
-    // the even signals are some of all; what is seen of either is good to a few per cent
+    // the even signals are some of all, so that κ of theirs is at most κ of all; either is found from below, and to 0.95 at
+    // least, as the tests beside singular values have it
     let of_cosines = cosines.condition(degree, 100.0).unwrap();
-    assert!(of_cosines <= 1.05 * condition, "{of_cosines} {condition}");
+    assert!(0.95 * of_cosines <= condition, "{of_cosines} {condition}");
     let (all, few) = (general.fit(&values, degree).unwrap(), cosines.fit(&values, degree).unwrap());
     let bound = f64::EPSILON * condition * condition * 1400.0 * 1401f64.sqrt() * even.rms();
     assert!(distance(&even, &all) < bound && distance(&even, &few) < bound);

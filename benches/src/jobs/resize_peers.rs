@@ -16,7 +16,7 @@ impl Known for f32 {
         let bytes: &[u8] = bytemuck::cast_slice(source);
         let pixel = [PixelType::F32, PixelType::F32x3][case.channels / 2];
         let mut fast = fast(case, bytes, pixel);
-        let (name, run) = pic(case, source, threads, 0);
+        let (name, run) = pic(case, source, threads);
         let fast = move |out: &mut [Self]| fast(bytemuck::cast_slice_mut(out));
         vec![Way { name: FAST.into(), run: Box::new(fast) }, Way { name, run }]
     }
@@ -27,7 +27,7 @@ impl Known for u8 {
         let pixel = [PixelType::U8, PixelType::U8x3][case.channels / 2];
         let fast: Run<'_, Self> =
             if case.light { Box::new(fast_light(case, source, pixel)) } else { Box::new(fast(case, source, pixel)) };
-        let (name, run) = pic(case, source, threads, 8);
+        let (name, run) = pic(case, source, threads);
         vec![Way { name: FAST.into(), run: fast }, Way { name, run }]
     }
 }
@@ -72,11 +72,11 @@ fn fast_light(case: Case, source: &[u8], pixel: PixelType) -> impl FnMut(&mut [u
 /// A kind of number of pic-scale.
 trait Scaled: Copy + Default + Send + Sync + std::fmt::Debug + 'static {
     /// A plan, as a function that uses it.
-    fn plan<'a>(case: Case, source: &'a [Self], threads: usize, depth: usize) -> Run<'a, Self>;
+    fn plan<'a>(case: Case, source: &'a [Self], threads: usize) -> Run<'a, Self>;
 }
 
 macro_rules! plan {
-    ($plan:expr, $case:ident, $source:ident, $depth:ident, $channels:literal) => {{
+    ($plan:expr, $case:ident, $source:ident, $depth:literal, $channels:literal) => {{
         let plan = $plan.expect("sizes are positive");
         let mut store =
             ImageStore::<Self, $channels>::borrow($source, $case.from, $case.from).expect("the sizes agree");
@@ -108,46 +108,36 @@ fn policy(threads: usize) -> ThreadingPolicy {
 }
 
 impl Scaled for f32 {
-    fn plan<'a>(
-        case: Case,
-        source: &'a [Self],
-        threads: usize,
-        depth: usize,
-    ) -> Box<dyn FnMut(&mut [Self]) + Send + 'a> {
+    fn plan<'a>(case: Case, source: &'a [Self], threads: usize) -> Run<'a, Self> {
         let ((from, to), mut scaler) = (sizes(case), Scaler::new(function(case)));
         scaler.set_threading_policy(policy(threads));
         match case.channels {
-            1 => plan!(scaler.plan_planar_resampling_f32(from, to), case, source, depth, 1),
-            _ => plan!(scaler.plan_rgb_resampling_f32(from, to), case, source, depth, 3),
+            1 => plan!(scaler.plan_planar_resampling_f32(from, to), case, source, 0, 1),
+            _ => plan!(scaler.plan_rgb_resampling_f32(from, to), case, source, 0, 3),
         }
     }
 }
 
 impl Scaled for u8 {
-    fn plan<'a>(
-        case: Case,
-        source: &'a [Self],
-        threads: usize,
-        depth: usize,
-    ) -> Box<dyn FnMut(&mut [Self]) + Send + 'a> {
+    fn plan<'a>(case: Case, source: &'a [Self], threads: usize) -> Run<'a, Self> {
         let (from, to) = sizes(case);
         if case.light {
             let mut scaler = LinearScaler::new(function(case));
             scaler.set_threading_policy(policy(threads));
             return match case.channels {
-                1 => plan!(scaler.plan_planar_resampling(from, to), case, source, depth, 1),
-                _ => plan!(scaler.plan_rgb_resampling(from, to), case, source, depth, 3),
+                1 => plan!(scaler.plan_planar_resampling(from, to), case, source, 8, 1),
+                _ => plan!(scaler.plan_rgb_resampling(from, to), case, source, 8, 3),
             };
         }
         let mut scaler = Scaler::new(function(case));
         scaler.set_threading_policy(policy(threads));
         match case.channels {
-            1 => plan!(scaler.plan_planar_resampling(from, to), case, source, depth, 1),
-            _ => plan!(scaler.plan_rgb_resampling(from, to), case, source, depth, 3),
+            1 => plan!(scaler.plan_planar_resampling(from, to), case, source, 8, 1),
+            _ => plan!(scaler.plan_rgb_resampling(from, to), case, source, 8, 3),
         }
     }
 }
 
-fn pic<C: Scaled>(case: Case, source: &[C], threads: usize, depth: usize) -> (String, Run<'_, C>) {
-    ("pic-scale 0.7.12".into(), C::plan(case, source, threads, depth))
+fn pic<C: Scaled>(case: Case, source: &[C], threads: usize) -> (String, Run<'_, C>) {
+    ("pic-scale 0.7.12".into(), C::plan(case, source, threads))
 }

@@ -109,7 +109,7 @@ fn in_blocks<T: Real>(channels: usize, quality: Quality) -> Way<T> {
             converter.push(block, &mut block_out).expect("blocks are whole frames");
             give(&mut block_out);
         }
-        converter.finish(&mut block_out);
+        converter.finish(&mut block_out).expect("samples are at most one");
         give(&mut block_out);
     })
 }

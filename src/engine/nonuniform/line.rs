@@ -25,7 +25,8 @@ use num_complex::Complex;
 /// meant, the error is several times smaller than `ε·‖F‖` for inputs without structure.
 ///
 /// **Plan.** `Send + Sync`; it keeps the memory that its transforms need, once for every call that runs at the same time:
-/// about `16·σK` bytes in `f64`, `σ` from 1.25 to 2, and 8 for every point.
+/// up to about `48·σK` bytes in `f64`, a third each for the grid, its spectrum and the transform between them, `σ` from 1.25
+/// to 2, and 8 for every point.
 ///
 /// Dutt and Rokhlin, *Fast Fourier transforms for nonequispaced data*, 1993; Barnett, Magland and af Klinteberg, *A
 /// parallel nonuniform fast Fourier transform library based on an “exponential of semicircle” kernel*, 2019.
@@ -271,8 +272,8 @@ impl<T: Real> Nufft<T> {
     pub fn value(&self, grid: &[T], position: impl Position) -> Result<T> {
         fits("the grid of a transform", self.grid_len(), grid.len())?;
         let period = self.ruler.period();
-        let inside = if position.is_inside(period) { Some(position) } else { position.brought_inside(period) };
-        let Some(inside) = inside else { return Ok(T::nan()) };
+        let inside = if position.is_inside(period) { Ok(position) } else { position.brought_inside(period) };
+        let Ok(inside) = inside else { return Ok(T::nan()) };
         let (bin, code) = self.ruler.bin(inside.parts());
         let cells = &grid[bin as usize * BIN..];
         Ok(with_width!(self.taps.width(), W => gather(&self.taps.fixed::<W>(), cells, code)))

@@ -72,8 +72,9 @@ impl<const D: usize> Placed<D> {
         });
         if bad.into_inner() {
             *self = Self::none(rulers);
-            let index = points.iter().position(|point| inside(&rulers, *point).is_none()).unwrap_or(0);
-            return Err(Error::NotFiniteAt { what: "the positions of a transform", index, value: f64::NAN });
+            let fault = |(index, point): (usize, &[P; D])| inside(&rulers, *point).err().map(|value| (index, value));
+            let (index, value) = points.iter().enumerate().find_map(fault).expect("a chunk has met one");
+            return Err(Error::NotFiniteAt { what: "the positions of a transform", index, value });
         }
         let mut before = 0;
         for bin in 0..self.bins() {
@@ -136,14 +137,14 @@ impl<const D: usize> Placed<D> {
     }
 }
 
-/// A point within the period; nothing if it is not finite.
-fn inside<P: Position, const D: usize>(rulers: &[Ruler; D], mut point: [P; D]) -> Option<[P; D]> {
+/// A point within the period, or the number in it that is not finite.
+fn inside<P: Position, const D: usize>(rulers: &[Ruler; D], mut point: [P; D]) -> std::result::Result<[P; D], f64> {
     for (position, ruler) in point.iter_mut().zip(rulers) {
         if !position.is_inside(ruler.period()) {
             *position = position.brought_inside(ruler.period())?;
         }
     }
-    Some(point)
+    Ok(point)
 }
 
 impl<const D: usize> Chunk<D> {
@@ -164,9 +165,8 @@ impl<const D: usize> Chunk<D> {
             if points.iter().fold(true, |so_far, point| so_far & all_inside(point)) {
                 vectorised(Code { rulers, points, bins, codes });
             } else {
-                let Some(points) = points.iter().map(|point| inside(rulers, *point)).collect::<Option<Vec<_>>>() else {
-                    return false;
-                };
+                let brought = points.iter().map(|point| inside(rulers, *point));
+                let Ok(points) = brought.collect::<std::result::Result<Vec<_>, _>>() else { return false };
                 vectorised(Code { rulers, points: &points, bins, codes });
             }
         }

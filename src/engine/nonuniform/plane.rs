@@ -264,7 +264,7 @@ impl<T: Real> PlaneNufft<T> {
                     self.restore_rows(columns, band, rows);
                 });
             });
-            (0..width).for_each(|i| grid.copy_within(i % ny * pitch..(i % ny + 1) * pitch, (ny + i) * pitch));
+            grid.copy_within(..width * pitch, ny * pitch);
             lend(&self.rooms, values.len(), |sorted| {
                 let (grid, tiles) = (&*grid, self.rulers[0].bins());
                 points.each(sorted, values, |bin, values| {

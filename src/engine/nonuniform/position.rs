@@ -11,9 +11,9 @@ pub trait Position: Copy + Send + Sync + sealed::Sealed {
     #[doc(hidden)]
     fn is_inside(self, period: f64) -> bool;
 
-    /// The same place within `0..period`; nothing if it is not finite.
+    /// The same place within `0..period`, or the number in it that is not finite.
     #[doc(hidden)]
-    fn brought_inside(self, period: f64) -> Option<Self>;
+    fn brought_inside(self, period: f64) -> Result<Self, f64>;
 
     /// A position inside as the sum of two numbers of which the first has few enough bits that its product with a whole
     /// number below 2²⁷ is exact.
@@ -33,8 +33,8 @@ impl Position for f64 {
         self >= 0.0 && self < period
     }
 
-    fn brought_inside(self, period: f64) -> Option<Self> {
-        if self.is_finite() { Some(self.rem_euclid(period)) } else { None }
+    fn brought_inside(self, period: f64) -> Result<Self, f64> {
+        if self.is_finite() { Ok(self.rem_euclid(period)) } else { Err(self) }
     }
 
     #[inline(always)]
@@ -50,14 +50,14 @@ impl Position for (i64, f64) {
         self.0 >= 0 && self.0 < period as i64 && self.1 >= 0.0 && self.1 < 1.0
     }
 
-    fn brought_inside(self, period: f64) -> Option<Self> {
+    fn brought_inside(self, period: f64) -> Result<Self, f64> {
         let ((whole, fraction), units) = (self, period as i64);
         if !fraction.is_finite() {
-            return None;
+            return Err(fraction);
         }
         let floor = fraction.floor();
         let whole = whole.rem_euclid(units) + (floor % period) as i64;
-        Some((whole.rem_euclid(units), fraction - floor))
+        Ok((whole.rem_euclid(units), fraction - floor))
     }
 
     #[inline(always)]

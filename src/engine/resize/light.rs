@@ -32,12 +32,12 @@ impl Light {
     /// By a curve from codes to light, both from 0 to 1.
     ///
     /// # Errors
-    /// A curve that falls or stands still, or gives what is not finite.
+    /// A curve that falls or stands still, leaves 0 to 1, or gives what is not finite.
     pub fn new(curve: impl Fn(f64) -> f64) -> Result<Self> {
         let at = |half: usize| finite("a value of a curve of light", curve(half as f64 / 510.0)).map(|v| v as f32);
         let halves = (0..=510).map(at).collect::<Result<Vec<f32>>>()?;
-        if halves.windows(2).any(|pair| pair[0] >= pair[1]) {
-            return Err(Error::Unsupported("a curve of light that does not rise"));
+        if halves[0] < 0.0 || halves[510] > 1.0 || halves.windows(2).any(|pair| pair[0] >= pair[1]) {
+            return Err(Error::Unsupported("a curve of light that does not rise within 0 to 1"));
         }
         let light = std::array::from_fn(|code| halves[2 * code]);
         let thresholds = std::array::from_fn(|code| halves.get(2 * code + 1).copied().unwrap_or(f32::INFINITY));

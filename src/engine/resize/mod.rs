@@ -8,8 +8,9 @@
 //! addition is left, whatever the ratio. Where neighbouring sums read nearly the same lines, four are made at once.
 //!
 //! What is worked on stays in the second cache: a panel of as many columns as fit into it together with the lines that
-//! thirty-two new rows read. So memory is read once and written once. The room of a thread is below 1 MB for up to four channels of `f32` that shrink up to eight times, by a kernel of a
-//! radius up to 3, and grows in proportion with the rows that are read at once.
+//! thirty-two new rows read. So memory is read once and written once. The room of a thread is below 2 MB for up to four
+//! channels, summed in `f32`, that shrink up to eight times by a kernel of a radius up to 3 (thirty-two rows and
+//! columns read 296, 1.4 MB of numbers), and grows in proportion with the rows that are read at once.
 //!
 //! Cuts depend on sizes alone, and every number is summed in the order of the old positions: the bits do not depend on the
 //! number of threads, and with [`Arithmetic::Plain`](crate::engine::Arithmetic::Plain) not on the processor.
@@ -40,6 +41,7 @@
 //! ```
 
 mod code;
+mod job;
 mod light;
 mod resizer;
 mod room;

@@ -22,7 +22,7 @@ pub(super) const SIDE: usize = 4;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Taps {
     old: usize,
-    /// The first old position of each, and its weights without zeros before and after.
+    /// The first old position of each, and its weights without zeros before and after, one at least.
     rows: Vec<(i64, Vec<f64>)>,
     /// Where the old position `low + i` stands; [`NOTHING`](Self::NOTHING) for nowhere.
     places: Vec<u32>,
@@ -65,7 +65,7 @@ impl Taps {
         let ends = |rows: &[(i64, Vec<f64>)]| {
             let used = || rows.iter().filter(|(_, w)| !w.is_empty());
             let low = used().map(|(first, _)| *first).min().unwrap_or(0);
-            let high = used().map(|(first, w)| first.saturating_add(w.len() as i64)).max().unwrap_or(0);
+            let high = used().map(|(first, w)| first.saturating_add(w.len() as i64)).max().unwrap_or(1);
             low..high
         };
         let Range { start: low, end: high } = ends(&kept);
@@ -75,9 +75,10 @@ impl Taps {
                 return Err(Error::Overflow { what, value: position as f64, most });
             }
         }
+        // a sum of nothing is zero times something, so that no range of what is read is empty
         for (first, weights) in &mut kept {
             if weights.is_empty() {
-                *first = low; // a sum of nothing reads nothing anywhere
+                (*first, *weights) = (low, vec![0.0]);
             }
         }
         let place = |i| edge.index(i, old).map_or(Self::NOTHING, |place| place as u32);

@@ -8,7 +8,7 @@ pub(super) struct Layout {
     pub(super) width: usize,
     pub(super) height: usize,
     pub(super) channels: usize,
-    /// From one row to the next.
+    /// From one row to the next; of a single row its length, whatever lies behind it.
     pub(super) stride: usize,
 }
 
@@ -33,7 +33,7 @@ impl Layout {
         if len < all {
             return Err(Error::TooFew { what: "the numbers of an image", least: all, got: len });
         }
-        Ok(Self { width, height, channels, stride })
+        Ok(Self { width, height, channels, stride: if height == 1 { row } else { stride } })
     }
 
     pub(super) fn row(&self) -> usize {

@@ -6,14 +6,9 @@ use crate::inspect::sound::ends::Ends;
 use crate::inspect::sound::levels::Gauge;
 use crate::inspect::sound::moment::Moments;
 use crate::inspect::sound::window::BETA;
-use crate::sampled::segments::{Detrend, Segments, whole_frames};
+use crate::sampled::segments::{Detrend, LARGEST, Segments, peak, whole_frames};
 use crate::sampled::welch::Welch;
 use crate::sampled::window::Window;
-
-/// The square of a larger value times the number of values is near the end of `f64`, and that of one over it near zero.
-const LARGEST: f64 = 1e140;
-
-const PEAK: &str = "the size of the largest sample, whose square is needed";
 
 /// Sound of fewer frames has no band that could be told.
 pub const LEAST_FRAMES: usize = 64;
@@ -95,8 +90,7 @@ impl Meter {
     /// [`Error::Length`] for a part of a frame, [`Error::NotFiniteAt`], values beyond 10¹⁴⁰; nothing has been taken then.
     pub fn push(&mut self, frames: &[f64]) -> Result<()> {
         whole_frames(frames, self.channels)?;
-        self.peak = frames.iter().fold(self.peak, |peak, value| peak.max(value.abs()));
-        within(PEAK, self.peak, 0.0, LARGEST)?;
+        self.peak = peak(self.peak, frames)?;
         if self.gauges.is_empty() {
             self.gauges = frames.iter().take(self.channels).map(|first| Gauge::new(*first)).collect();
         }
@@ -143,7 +137,7 @@ impl Meter {
             self.choose(1 << eighth.ilog2())?;
         }
         if self.peak > 0.0 {
-            within(PEAK, self.peak, 1.0 / LARGEST, LARGEST)?;
+            within("the size of the largest sample, whose square is needed", self.peak, 1.0 / LARGEST, LARGEST)?;
         }
         let Self { rate, frames, gauges, spectra, .. } = self;
         let Spectra { welch, moments, ends } = spectra.expect("segments have been chosen by now");

@@ -25,14 +25,12 @@ use crate::error::{Error, Result, within};
 use crate::inspect::table::frame::Frame;
 use crate::num::mean::mean;
 use crate::record::Sampling;
+use crate::sampled::segments::LARGEST;
 use crate::sampled::window::Window;
 use std::ops::Range;
 
 /// Samples below which a spectrum says nothing.
 const FEWEST: usize = 8;
-
-/// The square of a larger value times the number of values is near the end of `f64`.
-const LARGEST: f64 = 1e140;
 
 /// How a record is to be looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
