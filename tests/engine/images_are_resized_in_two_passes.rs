@@ -13,7 +13,7 @@ use nyquist::kernel::catalog;
 use nyquist::prelude::*;
 
 /// Smaller, larger, both, hardly, many more pixels than a group, a panel or a window has, and one.
-const SIZES: [([usize; 2], [usize; 2]); 11] = [
+const SIZES: [([usize; 2], [usize; 2]); 13] = [
     ([37, 29], [11, 8]),
     ([11, 8], [37, 29]),
     ([40, 9], [12, 20]),
@@ -23,6 +23,8 @@ const SIZES: [([usize; 2], [usize; 2]); 11] = [
     ([150, 9], [600, 20]),
     ([9, 130], [12, 330]),
     ([200, 400], [60, 110]),
+    ([2500, 90], [300, 40]),
+    ([90, 12], [2500, 30]),
     ([1, 1], [5, 3]),
     ([5, 3], [1, 1]),
 ];
@@ -309,6 +311,34 @@ fn positions_without_weights_are_zero() {
             let (x, y) = (i % new[0], i / new[0]);
             let known = if there(0, x) && there(1, y) { image[place(1, y) * old[0] + place(0, x)] } else { 0 };
             assert_eq!(got, known, "{old:?} to {new:?}, {x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn new_positions_may_come_in_any_order() {
+    let (old, new) = ([120, 300], [40, 100]);
+    let forward = |i: usize| -> Vec<(i64, [f64; 5])> {
+        (0..new[i]).map(|j| ((j * old[i] / new[i]) as i64 - 1, [0.125, 0.25, 0.5, 0.0625, 0.0625])).collect()
+    };
+    // backward, and evens before odds
+    let orders: [&dyn Fn(usize, usize) -> usize; 2] = [&|j, n| n - 1 - j, &|j, n| (2 * j) % n + (2 * j) / n];
+    let plan = |order: &dyn Fn(usize, usize) -> usize| {
+        let taps = |i: usize| {
+            let rows = forward(i);
+            let rows = (0..new[i]).map(|j| &rows[order(j, new[i])]).map(|(first, w)| (*first, &w[..]));
+            Taps::new(old[i], Edge::Wrap, rows).unwrap()
+        };
+        Resizer::<f32>::new(taps(0), taps(1), Arithmetic::Plain)
+    };
+    let image: Vec<f32> = noise(old[0] * old[1], 9).iter().map(|v| *v as f32).collect();
+    let codes: Vec<u8> = image.iter().map(|v| (127.0 + 50.0 * v) as u8).collect();
+    let (sums, bytes) = (resized(&plan(&|j, _| j), &image, 1, 0.0), resized(&plan(&|j, _| j), &codes, 1, 0));
+    for order in orders {
+        let (got, got_bytes) = (resized(&plan(order), &image, 1, 0.0), resized(&plan(order), &codes, 1, 0));
+        for (i, (got, byte)) in got.iter().zip(&got_bytes).enumerate() {
+            let from = order(i / new[0], new[1]) * new[0] + order(i % new[0], new[0]);
+            assert_eq!((got.to_bits(), byte), (sums[from].to_bits(), &bytes[from]));
         }
     }
 }

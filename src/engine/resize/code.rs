@@ -1,6 +1,7 @@
 //! How numbers stand in an image.
 
-use crate::engine::simd::Lanes;
+use crate::engine::resize::sums::LEAST;
+use crate::engine::simd::{Lanes, Simd};
 
 /// A number of an image. Codes are averaged as they are; for averages of the light behind them see
 /// [`Light`](crate::engine::resize::Light).
@@ -9,7 +10,7 @@ use crate::engine::simd::Lanes;
 /// to the first or the last if they lie beyond.
 pub trait Code: Copy + Send + Sync + 'static {
     /// What sums are made in.
-    type Sum: Lanes;
+    type Sum: Lanes + Code<Sum = Self::Sum>;
 
     #[doc(hidden)]
     fn widen(from: &[Self], to: &mut [Self::Sum]);
@@ -18,7 +19,21 @@ pub trait Code: Copy + Send + Sync + 'static {
     fn narrow(from: &[Self::Sum], to: &mut [Self]);
 
     #[doc(hidden)]
-    fn direct(values: &[Self]) -> Option<&[Self::Sum]>;
+    fn vector<S: Simd>(from: &[Self]) -> <Self::Sum as Lanes>::Vector<S>;
+
+    #[doc(hidden)]
+    fn direct(values: &[Self]) -> Direct<'_, Self>;
+}
+
+/// Numbers that sums can be made of where they stand.
+#[derive(Debug, Clone, Copy)]
+pub enum Direct<'a, C: Code> {
+    /// As they are.
+    Themselves(&'a [C::Sum]),
+    /// Widened on the way: they fill less of a cache than their sums.
+    Narrow(&'a [C]),
+    /// They must be read through a table first.
+    Not,
 }
 
 macro_rules! itself {
@@ -36,8 +51,13 @@ macro_rules! itself {
                 to.copy_from_slice(from);
             }
 
-            fn direct(values: &[Self]) -> Option<&[Self]> {
-                Some(values)
+            #[inline(always)]
+            fn vector<S: Simd>(from: &[Self]) -> <Self as Lanes>::Vector<S> {
+                Self::vectors::<S>(from)[0]
+            }
+
+            fn direct(values: &[Self]) -> Direct<'_, Self> {
+                Direct::Themselves(values)
             }
         }
     };
@@ -71,8 +91,17 @@ macro_rules! whole {
                 }
             }
 
-            fn direct(_: &[Self]) -> Option<&[f32]> {
-                None
+            #[inline(always)]
+            fn vector<S: Simd>(from: &[Self]) -> <f32 as Lanes>::Vector<S> {
+                let mut wide = [0.0; LEAST];
+                for (wide, from) in wide.iter_mut().zip(from) {
+                    *wide = f32::from(*from);
+                }
+                f32::vectors::<S>(&wide)[0]
+            }
+
+            fn direct(values: &[Self]) -> Direct<'_, Self> {
+                Direct::Narrow(values)
             }
         }
     };

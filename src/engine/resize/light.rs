@@ -1,5 +1,6 @@
 //! Bytes that stand for light by a curve.
 
+use crate::engine::resize::code::Direct;
 use crate::engine::resize::strips::Meaning;
 use crate::error::{Error, Result, finite};
 
@@ -68,6 +69,7 @@ impl Light {
 
 impl Meaning<u8> for Light {
     type Sum = f32;
+    type Line = f32;
 
     #[inline(always)]
     fn widen(&self, from: &[u8], to: &mut [f32]) {
@@ -81,5 +83,9 @@ impl Meaning<u8> for Light {
         for (to, from) in to.iter_mut().zip(from) {
             *to = self.encode(*from);
         }
+    }
+
+    fn direct<'a>(&self, _: &'a [u8]) -> Direct<'a, f32> {
+        Direct::Not
     }
 }

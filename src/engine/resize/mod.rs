@@ -3,14 +3,16 @@
 //!
 //! A resizing is two sums, `Σ_y w_y Σ_x w_x f(x, y)`, whose weights [`Taps`] hold; those of a kernel are
 //! [`Weights::taps`](crate::image::weights::Weights::taps). [`Resizer`] does them in two passes, in the order that needs
-//! fewer products: rows are summed before columns where an image becomes smaller. Both passes are the same loop, weighted
-//! sums of lines in vectors, since some rows turned by 90° are lines for the way across; no gathering and no horizontal
-//! addition is left, whatever the ratio. Where neighbouring sums read nearly the same lines, four are made at once.
+//! fewer products: rows are summed before columns where an image becomes smaller. Both passes are weighted sums of lines in
+//! vectors, since some rows turned by 90° are lines for the way across; no gathering and no horizontal addition is left,
+//! whatever the ratio. Where neighbouring sums read nearly the same lines, four are made at once.
 //!
-//! What is worked on stays in the second cache: a panel of as many columns as fit into it together with the lines that
-//! thirty-two new rows read. So memory is read once and written once. The room of a thread is below 2 MB for up to four
-//! channels, summed in `f32`, that shrink up to eight times by a kernel of a radius up to 3 (thirty-two rows and
-//! columns read 296, 1.4 MB of numbers), and grows in proportion with the rows that are read at once.
+//! Rows are read and written as memory has them, in pieces of 4096 numbers, and what is worked on stays in the second
+//! cache. An image of floating-point numbers that becomes smaller is read once, each number to all the sums that it is in;
+//! rows of bytes and words stay in the cache until the last new row has come back to them. The room of a thread is below
+//! 4 MB for sums in `f32` as long as 32 new rows begin at most 32 others and 32 new rows of a larger image read at most 32
+//! old ones; beyond that it grows in proportion, and with the width of the image where a border is continued from the
+//! other one.
 //!
 //! Cuts depend on sizes alone, and every number is summed in the order of the old positions: the bits do not depend on the
 //! number of threads, and with [`Arithmetic::Plain`](crate::engine::Arithmetic::Plain) not on the processor.
@@ -40,11 +42,16 @@
 //! # Ok::<(), Error>(())
 //! ```
 
+mod across_first;
 mod code;
+mod down_first;
 mod job;
 mod light;
+mod lines;
+mod panel;
 mod resizer;
 mod room;
+mod shares;
 mod strips;
 mod sums;
 mod taps;

@@ -12,7 +12,7 @@ use crate::error::{Error, Result};
 use crate::parallel;
 
 /// Rows of a window on the way down that stay in the second cache.
-const WINDOW: i64 = 80;
+const WINDOW: i64 = 32;
 
 /// A resizing of images of one size to another one, planned once and used by any number of threads.
 ///

@@ -1,6 +1,7 @@
 //! Room to work in, kept by a plan.
 
 use crate::engine::real::Real;
+use crate::engine::resize::shares::Share;
 use std::fmt;
 use std::sync::{Mutex, PoisonError};
 
@@ -31,8 +32,12 @@ pub(super) struct Room<T> {
     pub(super) sums: Aligned<T>,
     /// Rows, turned.
     pub(super) columns: Aligned<T>,
+    /// New columns of a few pixels, not yet turned.
+    pub(super) squares: Aligned<T>,
     /// Rows whose columns are finished.
     pub(super) rows: Aligned<T>,
+    /// What new rows take of some old ones.
+    pub(super) shares: Vec<Share<T>>,
 }
 
 /// Rooms that are lent and taken back: a plan allocates in its first call on every thread, and no more.

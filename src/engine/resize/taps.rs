@@ -108,10 +108,16 @@ impl Taps {
     }
 
     /// The old positions that some new ones read.
-    fn reads(&self, new: Range<usize>) -> Range<i64> {
+    pub(super) fn reads(&self, new: Range<usize>) -> Range<i64> {
         let rows = &self.rows[new];
         let low = rows.iter().map(|(first, _)| *first).min().unwrap_or(0);
         low..rows.iter().map(|(first, w)| first + w.len() as i64).max().unwrap_or(0)
+    }
+
+    /// The weight of an old position in a new one, if it reads it.
+    pub(super) fn weight(&self, new: usize, position: i64) -> Option<f64> {
+        let (first, weights) = self.rows.get(new)?;
+        weights.get(usize::try_from(position - first).ok()?).copied()
     }
 
     /// How many old positions a new one reads in the mean: a measure of the work.
@@ -145,16 +151,14 @@ impl<T: Real> Blocks<T> {
         let starts = || (0..n).step_by(SIDE);
         let together: i64 = starts().map(|j| Self::lines(&taps, j..(j + SIDE).min(n))).sum();
         // side by side four sums share what they read, but multiply zeros where one reads and another does not
-        let side = if (together * SIDE as i64) as f64 <= 1.6 * taps.mean() * n as f64 { SIDE } else { 1 };
+        let side = if (together * SIDE as i64) as f64 <= 2.0 * taps.mean() * n as f64 { SIDE } else { 1 };
         let mut made = Self { side, blocks: Vec::new(), weights: Vec::new(), taps };
         for start in (0..n).step_by(side) {
             let reads = made.taps.reads(start..(start + side).min(n));
             made.blocks.push(Block { first: reads.start, weights: made.weights.len() });
             for position in reads {
                 for j in start..start + side {
-                    let weight =
-                        made.taps.rows.get(j).and_then(|(first, w)| w.get(usize::try_from(position - first).ok()?));
-                    made.weights.push(T::of(weight.copied().unwrap_or(0.0)));
+                    made.weights.push(T::of(made.taps.weight(j, position).unwrap_or(0.0)));
                 }
             }
         }

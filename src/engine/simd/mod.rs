@@ -9,7 +9,7 @@ mod turn;
 use crate::engine::real::Real;
 use pulp::{Arch, NullaryFnOnce};
 pub(super) use pulp::{Simd, WithSimd as Task};
-pub(super) use turn::{SQUARE, Turn};
+pub(super) use turn::Turn;
 
 /// How products are added.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]

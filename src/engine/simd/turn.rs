@@ -4,7 +4,7 @@ use crate::engine::real::Real;
 use crate::engine::simd::Loop;
 
 /// Numbers on a side of the squares that are turned in registers.
-pub(in crate::engine) const SQUARE: usize = 8;
+const SQUARE: usize = 8;
 
 const WHOLE: &str = "matrices consist of whole squares";
 
@@ -30,8 +30,9 @@ impl<T: Real> Turn<'_, T> {
     #[inline(always)]
     fn by(self, square: impl Fn([&[T; SQUARE]; SQUARE]) -> [[T; SQUARE]; SQUARE]) {
         let Self { from, stride, rows, columns, to, to_stride } = self;
-        for r in (0..rows).step_by(SQUARE) {
-            for c in (0..columns).step_by(SQUARE) {
+        // a line of the cache holds two squares: neighbours are read and written while it is at hand
+        for c in (0..columns).step_by(SQUARE) {
+            for r in (0..rows).step_by(SQUARE) {
                 let line = |i: usize| from[(r + i) * stride + c..].first_chunk().expect(WHOLE);
                 for (i, line) in square(std::array::from_fn(line)).into_iter().enumerate() {
                     *to[(c + i) * to_stride + r..].first_chunk_mut().expect(WHOLE) = line;
