@@ -1,5 +1,11 @@
 //! The one error of the library: what was wrong, where, and with which numbers.
 
+/// A number as one would write it: with a power of ten where it is very large or very small.
+fn short(value: f64) -> String {
+    let usual = value == 0.0 || !value.is_finite() || (1e-6..1e16).contains(&value.abs());
+    if usual { format!("{value}") } else { format!("{value:e}") }
+}
+
 /// Why a thing could not be made.
 ///
 /// Everything is validated once, at construction; what has been constructed is total and cannot fail. The variants
@@ -10,6 +16,7 @@
 /// let error = Axis::new(0.0, -0.5, 8).unwrap_err();
 /// assert_eq!(error, Error::NotPositive { what: "the step of an axis", value: -0.5 });
 /// assert_eq!(error.to_string(), "the step of an axis must be greater than zero, got -0.5");
+/// assert!(Axis::new(0.0, -1e-300, 8).unwrap_err().to_string().ends_with("got -1e-300"));
 /// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -33,7 +40,7 @@ pub enum Error {
         value: f64,
     },
     /// A number that must be greater than zero and is not.
-    #[error("{what} must be greater than zero, got {value}")]
+    #[error("{what} must be greater than zero, got {}", short(*value))]
     NotPositive {
         /// What the number stands for.
         what: &'static str,
@@ -41,7 +48,7 @@ pub enum Error {
         value: f64,
     },
     /// A number outside its range.
-    #[error("{what} must lie between {low} and {high}, got {value}")]
+    #[error("{what} must lie between {} and {}, got {}", short(*low), short(*high), short(*value))]
     OutOfRange {
         /// What the number stands for.
         what: &'static str,
@@ -95,7 +102,7 @@ pub enum Error {
         given: usize,
     },
     /// A size that does not fit into memory or into its type.
-    #[error("{what} overflows: {value} is more than {most}")]
+    #[error("{what} overflows: {} is more than {}", short(*value), short(*most))]
     Overflow {
         /// What became too large.
         what: &'static str,
@@ -125,7 +132,7 @@ pub enum Error {
         wanted: &'static str,
     },
     /// A value of a named parameter outside its range.
-    #[error("parameter {name} must lie between {low} and {high}{unit}, got {value}")]
+    #[error("parameter {name} must lie between {} and {}{unit}, got {}", short(*low), short(*high), short(*value))]
     Parameter {
         /// The parameter's name.
         name: &'static str,

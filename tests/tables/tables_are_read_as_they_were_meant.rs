@@ -104,6 +104,7 @@ fn what_is_no_number_is_named_by_line_and_column() {
         ("t,v\n0,1\n1,2,3\n", "line 3: 3 cells, but 2 in the first line"),
         ("t,v\n0,1e999\n", "line 2, column 2 (v): \"1e999\" is too large"),
         ("t,v\n1e999,1\n", "line 2, column 1 (t): \"1e999\" is too large"),
+        ("t,v\n9.99e-311,1\n", "line 2, column 1 (t): \"9.99e-311\" is too large or too small for a time"),
         ("t,v\n0,\n", "line 2, column 2 (v): the cell is empty (--skip-missing leaves such rows out)"),
         ("t,v\n0,NaN\n", "line 2, column 2 (v): the cell is not a number (NaN) (--skip-missing leaves such rows out)"),
         ("t,v\n0,-inf\n", "line 2, column 2 (v): the cell is infinite (--skip-missing leaves such rows out)"),

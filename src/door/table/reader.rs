@@ -186,6 +186,8 @@ impl Plan {
 enum Trouble {
     Missing(&'static str),
     TooLarge,
+    /// A time that is not told from others as exactly as it is written.
+    NoTime,
     Text,
 }
 
@@ -249,6 +251,7 @@ impl<'a> Rows<'a> {
                 }
                 Trouble::Missing(what) => format!("the cell {what} (--skip-missing leaves such rows out)"),
                 Trouble::TooLarge => format!("{} is too large", shown(&cells[i])),
+                Trouble::NoTime => format!("{} is too large or too small for a time", shown(&cells[i])),
                 Trouble::Text => format!("{} is no {wanted}{}", shown(&cells[i]), self.hint(&cells[i])),
             };
             Err(refused(format!(", column {} ({}): {said}", i + 1, self.headings[i].name)))
@@ -293,7 +296,7 @@ impl<'a> Rows<'a> {
     fn time_of(&self, cell: &str) -> std::result::Result<(Decimal, Option<Calendar>), Trouble> {
         match (number_of(cell), cell.parse::<Decimal>()) {
             (Ok(_), Ok(decimal)) => Ok((decimal, None)),
-            (Ok(value), Err(_)) => Decimal::of(value).map(|decimal| (decimal, None)).ok_or(Trouble::TooLarge),
+            (Ok(value), Err(_)) => Decimal::of(value).map(|decimal| (decimal, None)).ok_or(Trouble::NoTime),
             (Err(Trouble::Text), _) => {
                 Calendar::read(cell).map(|(time, calendar)| (time, Some(calendar))).ok_or(Trouble::Text)
             }
