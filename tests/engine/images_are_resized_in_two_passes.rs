@@ -276,18 +276,21 @@ fn plain_sums_have_the_bits_of_a_loop_and_all_have_the_same_on_any_number_of_thr
         }
         // down first where it shrinks, across first where it grows: in the order of the old positions
         let [across, down] = [0, 1].map(|i| Direct::new(old[i], new[i], &kernel));
-        let place = |i: i64, n: usize| Edge::Mirror.index(i, n).unwrap();
-        let sum = |(first, w): &(i64, Vec<f64>), f: &dyn Fn(i64) -> f32| -> f32 {
-            (*first..).zip(w).filter(|(_, w)| **w != 0.0).fold(0.0, |sum, (i, w)| *w as f32 * f(i) + sum)
+        let sum = |(first, w): &(i64, Vec<f64>), n: usize, f: &dyn Fn(usize) -> f32| -> f32 {
+            let mut weights = std::collections::BTreeMap::new();
+            for (i, w) in (*first..).zip(w).filter(|(_, w)| **w != 0.0) {
+                *weights.entry(Edge::Mirror.index(i, n).unwrap()).or_insert(0.0) += w;
+            }
+            weights.into_iter().fold(0.0, |sum, (i, w)| w as f32 * f(i) + sum)
         };
-        let at = |x: i64, y: i64| image[place(y, old[1]) * old[0] + place(x, old[0])];
+        let at = |x: usize, y: usize| image[y * old[0] + x];
         let got = on(1, Arithmetic::Plain);
         for (j, i) in [(0, 0), (13, 5), (new[1] - 1, new[0] - 1), (new[1] / 2, 17)] {
             let (row, column) = (&down.rows[j], &across.rows[i]);
             let exact = if old[0] > new[0] {
-                sum(column, &|x| sum(row, &|y| at(x, y)))
+                sum(column, old[0], &|x| sum(row, old[1], &|y| at(x, y)))
             } else {
-                sum(row, &|y| sum(column, &|x| at(x, y)))
+                sum(row, old[1], &|y| sum(column, old[0], &|x| at(x, y)))
             };
             assert_eq!(f32::from_bits(got[j * new[0] + i]), exact);
         }
@@ -311,6 +314,30 @@ fn positions_without_weights_are_zero() {
             let (x, y) = (i % new[0], i / new[0]);
             let known = if there(0, x) && there(1, y) { image[place(1, y) * old[0] + place(0, x)] } else { 0 };
             assert_eq!(got, known, "{old:?} to {new:?}, {x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn positions_far_beyond_a_border_are_those_that_they_stand_for() {
+    let (far, w) = (1 << 29, [0.25, 0.5, 1.0]);
+    // more new columns than a piece of work has, all of them beside the image
+    for edge in Edge::ALL {
+        for first in [-far, far, -3, 7] {
+            let axis = |n, at| Taps::new(7, edge, (0..n).map(|j| (at + j, &w[..]))).unwrap();
+            let plan = Resizer::<f64>::new(axis(70, first), axis(3, 0), Arithmetic::Plain);
+            let image: Vec<f64> = (0..49).map(f64::from).collect();
+            for (i, got) in resized(&plan, &image, 1, -1.0).into_iter().enumerate() {
+                let (x, y) = (first + i as i64 % 70, i as i64 / 70);
+                let pairs = (0..9).map(|k| ((x + k % 3, w[k as usize % 3]), (y + k / 3, w[k as usize / 3])));
+                let value = |x, y| edge.index(x, 7).zip(edge.index(y, 7)).map_or(0.0, |(x, y)| image[y * 7 + x]);
+                // quarters of whole numbers: nothing is rounded
+                assert_eq!(
+                    got,
+                    pairs.map(|((x, u), (y, v))| u * v * value(x, y)).sum::<f64>(),
+                    "{edge:?}, {first}, {i}"
+                );
+            }
         }
     }
 }

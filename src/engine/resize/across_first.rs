@@ -14,25 +14,21 @@ const STRIP: usize = 1024;
 impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
     /// All old rows that the new ones read, finished across; then these.
     pub(super) fn across_first(&self, target: &mut [C], room: &mut Room<M::Sum>) {
-        let (channels, taps) = (self.channels(), &self.down.taps);
+        let channels = self.channels();
         let reads = self.down.reads(&self.rows);
-        let blocks = ((reads.end - reads.start) as usize).div_ceil(ROWS);
+        let blocks = reads.len().div_ceil(ROWS);
         for panel in self.panels(blocks * ROWS) {
             let (padded, wide) = (panel.padded(), panel.new.len() * channels);
             let line = panel.new.len().next_multiple_of(ROWS) * channels + LEAST;
             let finished = room.rows.numbers(blocks * ROWS * line);
             let lines = room.lines.numbers(ROWS * padded);
-            let columns = room.columns.numbers(panel.columns() * ROWS);
+            let columns = room.columns.numbers(padded * ROWS);
             let squares = room.squares.numbers(ROWS * ROWS * channels);
             for (b, finished) in finished.chunks_mut(ROWS * line).enumerate() {
-                let top = reads.start + (b * ROWS) as i64;
-                for (position, to) in (top..reads.end).zip(lines.chunks_mut(padded)) {
-                    match taps.place(position) {
-                        Some(row) => self.load(row, panel.row.clone(), to),
-                        None => to.fill(M::Sum::default()),
-                    }
+                for (row, to) in (reads.start + b * ROWS..reads.end).zip(lines.chunks_mut(padded)) {
+                    self.load(row, panel.row.clone(), to);
                 }
-                let to = &mut columns[panel.inside() * ROWS..];
+                let to = &mut *columns;
                 M::Sum::turn(Turn { from: lines, stride: padded, rows: ROWS, columns: padded, to, to_stride: ROWS });
                 self.across_panel(&panel, columns, squares, finished, line);
             }

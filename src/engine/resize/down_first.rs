@@ -20,7 +20,8 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
     /// A group of new rows at a time, down and then across.
     pub(super) fn down_first(&self, target: &mut [C], room: &mut Room<M::Sum>) {
         let channels = self.channels();
-        let most = some(self.rows.clone(), ROWS).map(|group| self.begun(&group) - group.start).max().unwrap_or(ROWS);
+        let most =
+            some(self.rows.clone(), ROWS).map(|group| self.end_of_takers(&group) - group.start).max().unwrap_or(ROWS);
         let slots = most.next_multiple_of(ROWS);
         for panel in self.panels(slots) {
             let (padded, wide) = (panel.padded(), panel.new.len() * channels);
@@ -30,8 +31,8 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
             for (group, target) in self.groups(ROWS, target) {
                 down.group(&group, room);
                 let from = &down.sums(&mut room.sums)[down.at(group.start)..];
-                let columns = room.columns.numbers(panel.columns() * ROWS);
-                let to = &mut columns[panel.inside() * ROWS..];
+                let columns = room.columns.numbers(padded * ROWS);
+                let to = &mut *columns;
                 M::Sum::turn(Turn { from, stride: down.stride, rows: ROWS, columns: padded, to, to_stride: ROWS });
                 let squares = room.squares.numbers(ROWS * ROWS * channels);
                 let finished = room.rows.numbers(ROWS * line);
@@ -41,8 +42,8 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
         }
     }
 
-    /// The last row that gets something of what a group reads, and one more.
-    fn begun(&self, group: &Range<usize>) -> usize {
+    /// Where the new rows end that take something of what is read for a group.
+    fn end_of_takers(&self, group: &Range<usize>) -> usize {
         if let Direct::Narrow(_) = self.meaning.direct(self.source.values) {
             return group.end;
         }
@@ -64,7 +65,7 @@ struct Down<'a, C, M: Meaning<C>> {
     /// Numbers from the sums of one row to those of the next.
     stride: usize,
     /// The first old row that is not yet shared out.
-    next: i64,
+    next: usize,
 }
 
 impl<C: Copy + Send + Sync, M: Meaning<C>> Down<'_, C, M> {
@@ -83,35 +84,32 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Down<'_, C, M> {
 
     /// Finishes the sums of a group.
     fn group(&mut self, group: &Range<usize>, room: &mut Room<M::Sum>) {
-        let (job, reads, layout) = (self.job, self.job.down.reads(group), self.job.source.layout);
+        let (job, reads) = (self.job, self.job.down.reads(group));
         match job.meaning.direct(job.source.values) {
             Direct::Narrow(numbers) => {
-                let mut done = 0;
-                if reads.start >= 0 && reads.end <= layout.height as i64 {
-                    done = self.panel.row.len() / LEAST * LEAST;
-                    let lines = Lines { numbers, first: 0, stride: layout.stride };
-                    let (blocks, fused, at, stride) = (job.down, job.fused, self.panel.row.start, self.stride);
-                    for new in some(group.clone(), SIDE) {
-                        let to = &mut self.sums(&mut room.sums)[self.at(new.start)..];
-                        with_vectors(Sums { blocks, new, fused, lines, at, width: done, to, stride });
-                    }
+                let width = self.panel.row.len() / LEAST * LEAST;
+                let lines = Lines { numbers, first: 0, stride: job.source.layout.stride };
+                let (blocks, fused, at, stride) = (job.down, job.fused, self.panel.row.start, self.stride);
+                for new in some(group.clone(), SIDE) {
+                    let to = &mut self.sums(&mut room.sums)[self.at(new.start)..];
+                    with_vectors(Sums { blocks, new, fused, lines, at, width, to, stride });
                 }
-                self.share(group.clone(), reads, done, room);
+                self.share(group.clone(), reads, width, room);
             }
             Direct::Themselves(_) | Direct::Not => {
-                self.share(group.start..job.begun(group), self.next..reads.end, 0, room);
+                self.share(group.start..job.end_of_takers(group), self.next..reads.end, 0, room);
                 self.next = self.next.max(reads.end);
             }
         }
     }
 
     /// Gives some old rows, from this number on, to those of some new ones that read them.
-    fn share(&self, rows: Range<usize>, old: Range<i64>, from: usize, room: &mut Room<M::Sum>) {
+    fn share(&self, rows: Range<usize>, old: Range<usize>, from: usize, room: &mut Room<M::Sum>) {
         let (job, panel, padded) = (self.job, self.panel, self.panel.padded());
         for top in old.clone().step_by(TOGETHER).filter(|_| from < padded) {
-            let four: [_; TOGETHER] = std::array::from_fn(|k| Some(top + k as i64).filter(|y| *y < old.end));
-            self.shares(rows.clone(), four, &mut room.shares);
-            let four = four.map(|y| y.and_then(|y| job.down.taps.place(y)).unwrap_or(0));
+            self.shares(rows.clone(), top..old.end, &mut room.shares);
+            // behind the last row that one once more, for nothing
+            let four: [_; TOGETHER] = std::array::from_fn(|k| (top + k).min(old.end - 1));
             let (to, lines) = (self.sums(&mut room.sums), room.lines.numbers(TOGETHER * STRIP));
             let (shares, fused, stride) = (&room.shares[..], job.fused, self.stride);
             let mut rest = from;
@@ -131,20 +129,17 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Down<'_, C, M> {
         }
     }
 
-    /// What each of some new rows takes of four old ones.
-    fn shares(&self, rows: Range<usize>, four: [Option<i64>; TOGETHER], shares: &mut Vec<Share<M::Sum>>) {
+    /// What each of some new rows takes of the first few old ones.
+    fn shares(&self, rows: Range<usize>, old: Range<usize>, shares: &mut Vec<Share<M::Sum>>) {
         let taps = &self.job.down.taps;
         shares.clear();
         for row in rows {
-            let weights = four.map(|y| y.and_then(|y| taps.weight(row, y)));
+            let weight = |k: usize| if old.start + k < old.end { taps.weight(row, old.start + k) } else { None };
+            let weights: [_; TOGETHER] = std::array::from_fn(weight);
             if weights.iter().any(Option::is_some) {
-                let first = four[0].is_none_or(|y| y <= taps.reads(row..row + 1).start);
-                let seen = |k: usize| four[k].and_then(|y| taps.place(y)).and(weights[k]).unwrap_or(0.0);
-                shares.push(Share {
-                    slot: self.slot(row),
-                    first,
-                    weights: std::array::from_fn(|k| M::Sum::of(seen(k))),
-                });
+                let first = old.start <= taps.reads(row..row + 1).start;
+                let weights = weights.map(|w| M::Sum::of(w.unwrap_or(0.0)));
+                shares.push(Share { slot: self.slot(row), first, weights });
             }
         }
     }

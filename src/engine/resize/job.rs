@@ -66,16 +66,14 @@ impl<C: Copy + Send + Sync, M: Meaning<C>> Job<'_, C, M> {
     pub(super) fn across_panel(
         &self,
         panel: &Panel,
-        columns: &mut [M::Sum],
+        columns: &[M::Sum],
         sums: &mut [M::Sum],
         rows: &mut [M::Sum],
         line: usize,
     ) {
         let wide = ROWS * self.channels();
-        panel.continue_beyond(&self.across.taps, columns, ROWS);
-        let (at, first) = panel.first();
-        let numbers = &columns[at * ROWS..];
-        let (blocks, fused, lines) = (self.across, self.fused, Lines { numbers, first, stride: wide });
+        let lines = Lines { numbers: &columns[panel.offset() * ROWS..], first: panel.first, stride: wide };
+        let (blocks, fused) = (self.across, self.fused);
         for x in some(panel.new.clone(), ROWS) {
             let (new, to) = (x.clone(), &mut *sums);
             with_vectors(Sums { blocks, new, fused, lines, at: 0, width: wide, to, stride: wide });

@@ -30,10 +30,10 @@ pub struct Light {
 }
 
 impl Light {
-    /// By a curve from codes to light, both from 0 to 1.
+    /// By a curve from codes to light, from 0 to 1 or within.
     ///
     /// # Errors
-    /// A curve that falls or stands still, leaves 0 to 1, or gives what is not finite.
+    /// A curve that in `f32` falls or stands still, leaves 0 to 1, or gives what is not finite.
     pub fn new(curve: impl Fn(f64) -> f64) -> Result<Self> {
         let at = |half: usize| finite("a value of a curve of light", curve(half as f64 / 510.0)).map(|v| v as f32);
         let halves = (0..=510).map(at).collect::<Result<Vec<f32>>>()?;

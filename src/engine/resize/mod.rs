@@ -9,10 +9,10 @@
 //!
 //! Rows are read and written as memory has them, in pieces of 4096 numbers, and what is worked on stays in the second
 //! cache. An image of floating-point numbers that becomes smaller is read once, each number to all the sums that it is in;
-//! rows of bytes and words stay in the cache until the last new row has come back to them. The room of a thread is below
-//! 4 MB for sums in `f32` as long as 32 new rows begin at most 32 others and 32 new rows of a larger image read at most 32
-//! old ones; beyond that it grows in proportion, and with the width of the image where a border is continued from the
-//! other one.
+//! rows of bytes and words stay in the cache until the last new row has come back to them. The room of a thread is a few
+//! such pieces of some dozen rows, below 4 MB for sums in `f32`, whatever the size of the image; it is more where 32 new
+//! columns read more than 4096 numbers, 32 new rows of a larger image more than 32 old ones, or beyond a border that
+//! continues at the other one.
 //!
 //! Cuts depend on sizes alone, and every number is summed in the order of the old positions: the bits do not depend on the
 //! number of threads, and with [`Arithmetic::Plain`](crate::engine::Arithmetic::Plain) not on the processor.
@@ -21,8 +21,8 @@
 //!
 //! For values up to 1, weights of `n` and `m` old positions along the axes and `A = max Σ|w|` of each: weights, products and
 //! sums round once each, so a result is right to `(n + m + 4)·ε·A_x·A_y`; of bytes and words half a code besides, from the
-//! one rounding at the end. Values must be finite: where four sums are made at once a value counts as zero times itself for
-//! neighbours that do not read it.
+//! one rounding at the end. Values must be finite, and weights in the numbers that sums are made of: a value may count as
+//! zero times itself in sums beside those that read it.
 //!
 //! ```
 //! use nyquist::prelude::*;

@@ -11,8 +11,8 @@ use crate::engine::simd::{Arithmetic, Lanes};
 use crate::error::{Error, Result};
 use crate::parallel;
 
-/// Rows of a window on the way down that stay in the second cache.
-const WINDOW: i64 = 32;
+/// Old rows, finished across, that stay in the second cache.
+const LINES: usize = ROWS;
 
 /// A resizing of images of one size to another one, planned once and used by any number of threads.
 ///
@@ -107,17 +107,13 @@ impl<T: Lanes> Resizer<T> {
         }
     }
 
-    /// How many times so many new rows are a piece of work.
+    /// How many times [`ROWS`] new rows are a piece of work: the rows that two pieces read are read twice, so they are not
+    /// small; but a few pieces there are for any number of threads.
     fn groups(&self) -> usize {
-        if self.down_first {
-            return 4; // the rows that two pieces read are read twice
-        }
         let n = self.down.taps.len();
-        let fits = |groups: &usize| {
-            let reads = self.down.reads(&(0..(groups * ROWS).min(n)));
-            reads.end - reads.start <= WINDOW
-        };
-        (1..=n.div_ceil(ROWS)).take_while(fits).last().unwrap_or(1)
+        let most = (n / (8 * ROWS)).max(1);
+        let fits = |groups: &usize| self.down.reads(&(0..(groups * ROWS).min(n))).len() <= LINES;
+        if self.down_first { most.min(4) } else { (1..=most).take_while(fits).last().unwrap_or(1) }
     }
 }
 

@@ -72,7 +72,7 @@ type Vector<L, S> = <<L as Code>::Sum as Lanes>::Vector<S>;
 /// What `R` sums read, and by which weights.
 struct Read<'a, L: Code, const R: usize> {
     lines: Lines<'a, L>,
-    first: i64,
+    first: usize,
     weights: &'a [[L::Sum; R]],
 }
 
