@@ -33,10 +33,6 @@ def one(n, real, number, values, threads, rounds):
     complex_number = np.complex128 if bits == 64 else np.complex64
     name = f"{'real_' if real else ''}fft_f{bits}"
     count = n // 2 + 1 if real else n
-    out, theirs = np.empty(count, complex_number), np.empty(count, complex_number)
-    plan = Plan(name, n)
-    many = lambda count: plan.run(name, n, values, out, threads, count)()
-    ours = lambda: many(1)
     turned = 0.1 * np.exp(2j * np.pi * 0.3 * frequencies(n, real) / 0.1)
     order = slice(None) if real else np.argsort(np.fft.fftfreq(n), kind="stable")
     # the reference: extended precision of the processor, by SciPy
@@ -44,24 +40,29 @@ def one(n, real, number, values, threads, rounds):
     exact = (scipy.fft.rfft if real else scipy.fft.fft)(values.astype(wide))
     plain = np.asarray(exact, np.complex128)
 
-    def error(run, found, wanted):
-        run()
-        return np.sqrt(np.mean(np.abs(found() - wanted) ** 2) / np.mean(np.abs(wanted) ** 2))
+    def error(found, wanted=plain):
+        return np.sqrt(np.mean(np.abs(found - wanted) ** 2) / np.mean(np.abs(wanted) ** 2))
 
-    planned = (pyfftw.builders.rfft if real else pyfftw.builders.fft)(
-        pyfftw.byte_align(values.copy()), threads=threads, planner_effort="FFTW_MEASURE", overwrite_input=False
-    )
-    if real:
-        ducc = lambda: ducc0.fft.r2c(values, nthreads=threads, out=theirs)
-        by_scipy = lambda: scipy.fft.rfft(values, workers=threads)
-    else:
-        ducc = lambda: ducc0.fft.c2c(values, nthreads=threads, out=theirs)
-        by_scipy = lambda: scipy.fft.fft(values, workers=threads)
+    def ours():
+        plan, out = Plan(name, n), np.empty(count, complex_number)
+        return lambda repeats: plan.run(name, n, values, out, threads, repeats)()
+
+    def ducc():
+        out, transform = np.empty(count, complex_number), ducc0.fft.r2c if real else ducc0.fft.c2c
+        return lambda: transform(values, nthreads=threads, out=out)
+
+    def fftw():
+        # its input is aligned: a copy of its own
+        build = pyfftw.builders.rfft if real else pyfftw.builders.fft
+        aligned = pyfftw.byte_align(values.copy())
+        return build(aligned, threads=threads, planner_effort="FFTW_MEASURE", overwrite_input=False)
+
+    by_scipy = scipy.fft.rfft if real else scipy.fft.fft
     contenders = [
-        Contender("nyquist", error(ours, lambda: out, (plain * turned)[order]), ours, ours=True, many=many),
-        Contender(f"ducc0 {ducc0.__version__}", error(ducc, lambda: theirs, plain), ducc),
-        Contender(f"FFTW (pyfftw {pyfftw.__version__}) measured", error(planned, lambda: planned.output_array, plain), planned),
-        Contender(f"SciPy {scipy.__version__}", error(by_scipy, by_scipy, plain), by_scipy),
+        Contender("nyquist", ours, lambda out: error(out, (plain * turned)[order]), ours=True, counts=True),
+        Contender(f"ducc0 {ducc0.__version__}", ducc, error),
+        Contender(f"FFTW (pyfftw {pyfftw.__version__}) measured", fftw, error),
+        Contender(f"SciPy {scipy.__version__}", lambda: lambda: by_scipy(values, workers=threads), error),
     ]
     size = f"2^{n.bit_length() - 1}" if n & (n - 1) == 0 else str(n)
     # three transforms of up to 4n numbers follow on one another where the length is a prime

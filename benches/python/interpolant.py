@@ -27,10 +27,12 @@ def main(rounds):
 
 def one(samples, positions, order, tolerance, threads, rounds):
     n = len(samples)
-    angles, values = positions * (2 * np.pi / n), np.empty(n)
-    plan = Plan("interpolant", n, tolerance)
-    ours = plan.run("interpolant", n, samples, n, positions, values, threads)
+    angles = positions * (2 * np.pi / n)
     middle = (n // 2 + 1) // 2 * angles
+
+    def ours():
+        plan, values = Plan("interpolant", n, tolerance), np.empty(n)
+        return plan.run("interpolant", n, samples, n, positions, values, threads)
 
     def spectrum():
         return ducc0.fft.r2c(samples, nthreads=threads)
@@ -65,12 +67,19 @@ def one(samples, positions, order, tolerance, threads, rounds):
 
         return run
 
-    all_modes, half_of_modes = by_finufft(n, 1), by_finufft(n // 2 + 1, 0)
-    runs = {
-        f"ducc0 {ducc0.__version__}, all harmonics": lambda: ducc(whole(), True).real,
-        f"ducc0 {ducc0.__version__}, half of them": lambda: turned(ducc(half(), False)),
-        f"FINUFFT {finufft.__version__}, all harmonics": lambda: all_modes(whole()).real,
-        f"FINUFFT {finufft.__version__}, half of them": lambda: turned(half_of_modes(half())),
+    def by_finufft_whole():
+        sums = by_finufft(n, 1)
+        return lambda: sums(whole()).real
+
+    def by_finufft_half():
+        sums = by_finufft(n // 2 + 1, 0)
+        return lambda: turned(sums(half()))
+
+    peers = {
+        f"ducc0 {ducc0.__version__}, all harmonics": lambda: lambda: ducc(whole(), True).real,
+        f"ducc0 {ducc0.__version__}, half of them": lambda: lambda: turned(ducc(half(), False)),
+        f"FINUFFT {finufft.__version__}, all harmonics": by_finufft_whole,
+        f"FINUFFT {finufft.__version__}, half of them": by_finufft_half,
     }
     probes = np.random.default_rng(2).integers(0, n, 40)
     exact = dirichlet(samples, positions[probes])
@@ -78,9 +87,8 @@ def one(samples, positions, order, tolerance, threads, rounds):
     def error(found):
         return np.linalg.norm(found[probes] - exact) / np.linalg.norm(exact)
 
-    ours()
-    contenders = [Contender("nyquist", error(values), ours, ours=True)]
-    contenders += [Contender(name, error(run()), run) for name, run in runs.items()]
+    contenders = [Contender("nyquist", ours, error, ours=True)]
+    contenders += [Contender(name, make, error) for name, make in peers.items()]
     # angles in doubles keep 10⁻¹⁶·n of a step: no peer reaches 10⁻¹² at this length
     allowed = max(10 * tolerance, 1e-15 * n)
     # a transform of the samples and one of a grid at least a quarter finer, and sums over ln(1/ε)/π cells at least

@@ -24,15 +24,17 @@ class Plan:
             raise ValueError(f"nyquist has no plan {name}{sizes}")
 
     def run(self, function, *arguments):
-        """A call without arguments left to give: what it needs is bound now, and lives as long as the call."""
+        """A call without arguments left to give: what it needs is bound now, and lives as long as the call. It gives the
+        last array, in which the result stands."""
         call = getattr(LIBRARY, function)
         call.restype = ctypes.c_int
         ready = [number(a) if isinstance(a, (int, float)) else pointer(a) for a in arguments]
         return partial(self._checked, call, arguments, ctypes.c_void_p(self._plan), *ready)
 
-    def _checked(self, call, _alive, *arguments):
+    def _checked(self, call, given, *arguments):
         if call(*arguments) != 0:
             raise RuntimeError(call.__name__)
+        return next(a for a in reversed(given) if not isinstance(a, (int, float)))
 
     def __del__(self):
         if getattr(self, "_plan", None):

@@ -24,38 +24,50 @@ def main(rounds):
 
 def one(n, number, image, threads, rounds):
     bits, width = (64, 8) if number is np.float64 else (32, 4)
-    out = np.empty((n, n), number)
-    plan = Plan(f"plane_f{bits}", n, n)
-    ours = plan.run(f"power_f{bits}", n * n, image, out, threads)
-    half = np.empty((n, n // 2 + 1), np.complex128 if bits == 64 else np.complex64)
-    power, squares = np.empty(half.shape, number), np.empty(half.shape, number)
-
-    def square(bins):
-        np.multiply(bins.real, bins.real, out=power)
-        np.multiply(bins.imag, bins.imag, out=squares)
-        return np.add(power, squares, out=power)
-
     mkl.set_num_threads(threads)
-    fftw = pyfftw.builders.rfft2(
-        pyfftw.byte_align(image.copy()), threads=threads, planner_effort="FFTW_MEASURE", overwrite_input=False
-    )
-    runs = {
-        f"ducc0 {ducc0.__version__}": lambda: square(ducc0.fft.r2c(image, axes=(0, 1), nthreads=threads, out=half)),
-        f"mkl_fft {mkl_fft.__version__}": lambda: square(mkl_fft.interfaces.numpy_fft.rfft2(image)),
-        f"FFTW (pyfftw {pyfftw.__version__}) measured": lambda: square(fftw()),
-        f"SciPy {scipy.__version__}": lambda: square(scipy.fft.rfft2(image, workers=threads)),
+    shape = (n, n // 2 + 1)
+
+    def ours():
+        plan, out = Plan(f"plane_f{bits}", n, n), np.empty((n, n), number)
+        return plan.run(f"power_f{bits}", n * n, image, out, threads)
+
+    def squared(transform):
+        """Their half planes, squared in rooms that are kept."""
+        power, squares = np.empty(shape, number), np.empty(shape, number)
+
+        def run():
+            bins = transform()
+            np.multiply(bins.real, bins.real, out=power)
+            np.multiply(bins.imag, bins.imag, out=squares)
+            return np.add(power, squares, out=power)
+
+        return run
+
+    def ducc():
+        half = np.empty(shape, np.complex128 if bits == 64 else np.complex64)
+        return squared(lambda: ducc0.fft.r2c(image, axes=(0, 1), nthreads=threads, out=half))
+
+    def fftw():
+        # its input is aligned: a copy of its own
+        aligned = pyfftw.byte_align(image.copy())
+        return squared(
+            pyfftw.builders.rfft2(aligned, threads=threads, planner_effort="FFTW_MEASURE", overwrite_input=False)
+        )
+
+    peers = {
+        f"ducc0 {ducc0.__version__}": ducc,
+        f"mkl_fft {mkl_fft.__version__}": lambda: squared(lambda: mkl_fft.interfaces.numpy_fft.rfft2(image)),
+        f"FFTW (pyfftw {pyfftw.__version__}) measured": fftw,
+        f"SciPy {scipy.__version__}": lambda: squared(lambda: scipy.fft.rfft2(image, workers=threads)),
     }
     # the reference: 64 bits by ducc0 where 32 are asked about; for 64 bits the peers check one another and us
     exact = np.abs(ducc0.fft.r2c(image.astype(np.float64), axes=(0, 1))) ** 2
-    contenders = []
-    for name, run in runs.items():
-        contenders.append(Contender(name, np.abs(run() - exact).max() / exact.max(), run))
-    ours()
-    # the quarter of the plane that both have as it stands: frequencies from zero on, along both axes
+    # ours in the quarter of the plane that both have as it stands: frequencies from zero on, along both axes
     quarter = np.s_[: n // 2, : n // 2]
-    found = out[n // 2 :, n // 2 :] * float(n * n)
-    error = np.abs(found - exact[quarter]).max() / exact.max()
-    contenders.insert(0, Contender("nyquist", error, ours, ours=True))
+    error = lambda found, known: np.abs(found - known).max() / exact.max()
+    own = lambda out: error(out[n // 2 :, n // 2 :] * float(n * n), exact[quarter])
+    contenders = [Contender("nyquist", ours, own, ours=True)]
+    contenders += [Contender(name, make, lambda found: error(found, exact)) for name, make in peers.items()]
     # two transforms of n numbers, squared
     allowed = 2 * 2 * 8 * np.finfo(number).eps * np.log2(n * n)
     limit = least(n * n * width * 4, 2.5 * n * n * np.log2(n * n) * width / 8, threads)

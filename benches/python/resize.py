@@ -31,18 +31,21 @@ def one(kernel, channels, from_, to, kind, rounds):
     number = np.float32 if kind == "f32" else np.uint8
     image = picture(from_, channels, number)
     exact = resized(image, kernel, to, kind)
-    out = np.empty((to, to, channels), number)
-    plan = Plan("resize", list(RADII).index(kernel), from_, to)
-    ours = plan.run(f"resize_{kind}", channels, image, out, 1)
-    ours()
-    contenders = [Contender("nyquist", error(out, exact, kernel, from_), ours, ours=True)]
+
+    def ours():
+        plan, out = Plan("resize", list(RADII).index(kernel), from_, to), np.empty((to, to, channels), number)
+        return plan.run(f"resize_{kind}", channels, image, out, 1)
+
+    contenders = [Contender("nyquist", ours, lambda out: error(out, exact, kernel, from_), ours=True)]
     if zimg.LIBRARY:
         contenders.append(by_zimg(image, kernel, to, kind, exact))
     if kind != "light" and kernel in PILLOW and (channels == 1 or kind == "u8"):
-        picture_ = Image.fromarray(image.squeeze())
-        run = lambda: picture_.resize((to, to), PILLOW[kernel])
-        found = np.asarray(run()).reshape(exact.shape)
-        contenders.append(Contender(f"Pillow {PIL.__version__}", error(found, exact, kernel, from_), run))
+        given = Image.fromarray(image.squeeze())
+        make = lambda: lambda: given.resize((to, to), PILLOW[kernel])
+        found = lambda result: np.asarray(result).reshape(exact.shape)
+        contenders.append(
+            Contender(f"Pillow {PIL.__version__}", make, lambda result: error(found(result), exact, kernel, from_))
+        )
     taps = 2 * RADII[kernel] * max(from_ / to, 1.0)
     size = np.dtype(number).itemsize * channels
     limit = least(size * (from_**2 + to**2), channels * taps * (to * to + from_ * to), 1)
@@ -57,26 +60,32 @@ def by_zimg(image, kernel, to, kind, exact):
     channels = image.shape[2]
     source = zimg.aligned((channels, *image.shape[:2]), image.dtype)
     source[:] = np.moveaxis(image, 2, 0)
-    target = zimg.aligned((channels, to, to), image.dtype)
-    if kind == "light":
-        light = zimg.aligned(source.shape, np.float32)
-        small = zimg.aligned(target.shape, np.float32)
-        into = (zimg.SRGB, zimg.LINEAR)
-        same = (zimg.LINEAR, zimg.LINEAR)
-        graphs = [
-            zimg.Graph(source, light, kernel, into),
-            zimg.Graph(light, small, kernel, same),
-            zimg.Graph(small, target, kernel, into[::-1]),
-        ]
-    else:
-        graphs = [zimg.Graph(source, target, kernel)]
 
-    def run():
-        for graph in graphs:
-            graph()
+    def make():
+        target = zimg.aligned((channels, to, to), image.dtype)
+        if kind == "light":
+            light = zimg.aligned(source.shape, np.float32)
+            small = zimg.aligned(target.shape, np.float32)
+            into = (zimg.SRGB, zimg.LINEAR)
+            same = (zimg.LINEAR, zimg.LINEAR)
+            graphs = [
+                zimg.Graph(source, light, kernel, into),
+                zimg.Graph(light, small, kernel, same),
+                zimg.Graph(small, target, kernel, into[::-1]),
+            ]
+        else:
+            graphs = [zimg.Graph(source, target, kernel)]
 
-    run()
-    return Contender(zimg.version(), error(np.moveaxis(target, 0, 2), exact, kernel, image.shape[0]), run)
+        def run():
+            for graph in graphs:
+                graph()
+            return target
+
+        return run
+
+    return Contender(
+        zimg.version(), make, lambda target: error(np.moveaxis(target, 0, 2), exact, kernel, image.shape[0])
+    )
 
 
 def error(found, exact, kernel, old):

@@ -18,7 +18,9 @@ NYQUIST_SHIM=$(realpath "$target/release/libshim.so")
 NYQUIST=$(realpath "$target/release/nyquist")
 # Mitsuba compiles with LLVM: that of Rust is at hand
 DRJIT_LIBLLVM_PATH=${DRJIT_LIBLLVM_PATH:-$(find "$(rustc --print sysroot)/lib" -maxdepth 1 -name 'libLLVM.so*' | head -n 1)}
-export NYQUIST_SHIM NYQUIST DRJIT_LIBLLVM_PATH
+# one heap for all threads: of others not all that is free can be given back before memory is measured
+MALLOC_ARENA_MAX=1
+export NYQUIST_SHIM NYQUIST DRJIT_LIBLLVM_PATH MALLOC_ARENA_MAX
 "$target/release/peers" --machine
 for job in "${jobs[@]}"; do venv/bin/python "$job.py" "$rounds"; done
 "$target/release/peers" --report

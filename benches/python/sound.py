@@ -27,25 +27,22 @@ def one(before, after, channels, number, threads, rounds, allowed=None):
     shape = (int(60 * before),) if channels == 1 else (int(60 * before), channels)
     record = (np.random.default_rng(4).random(shape) - 0.5).astype(number)
     made = int(np.floor(record.shape[0] * after / before + 0.5))
-    out = np.empty((made, channels), number)
 
     def ours(quality):
-        plan = Plan(f"sound_f{bits}", before, after, channels, QUALITIES[quality])
+        plan = lambda: Plan(f"sound_f{bits}", before, after, channels, QUALITIES[quality])
 
-        def convert(values):
-            count = int(np.floor(values.shape[0] * after / before + 0.5))
-            place = np.empty((count, channels), number)
-            plan.run(f"sound_f{bits}", values.size, values, place.size, place, threads)()
-            return place
+        def converted(plan, values):
+            out = np.empty((int(np.floor(values.shape[0] * after / before + 0.5)), channels), number)
+            return plan.run(f"sound_f{bits}", values.size, values, out.size, out, threads)
 
-        run = plan.run(f"sound_f{bits}", record.size, record, out.size, out, threads)
-        error = worst(convert, before, after, channels, number, (0.1, 0.5, 0.91, 0.97))
-        return Contender(f"nyquist {quality}", error, run, ours=True)
+        convert = lambda values: converted(plan(), values)()
+        error = lambda _: worst(convert, before, after, channels, number, (0.1, 0.5, 0.91, 0.97))
+        return Contender(f"nyquist {quality}", lambda: converted(plan(), record), error, ours=True)
 
     def theirs(quality):
         convert = lambda values: soxr.resample(values, before, after, quality)
-        error = worst(convert, before, after, channels, number, (0.1, 0.5, 0.91))
-        return Contender(f"soxr {soxr.__version__} {quality}", error, lambda: convert(record))
+        error = lambda _: worst(convert, before, after, channels, number, (0.1, 0.5, 0.91))
+        return Contender(f"soxr {soxr.__version__} {quality}", lambda: lambda: convert(record), error)
 
     contenders = [ours("best"), theirs("VHQ")]
     if bits == 32:

@@ -25,30 +25,39 @@ def main(rounds):
 
 def one(points, threads, rounds):
     n = len(points)
-    power, bins = np.empty((SIDE, SIDE)), np.empty((SIDE, SIDE), complex)
-    plan = Plan("point_power", SIDE // 2, TOLERANCE)
-    ours = plan.run("point_power", n, points, power, threads)
     angles, ones = points * 2 * np.pi, np.ones(n, complex)
     x, y = angles[:, 0].copy(), angles[:, 1].copy()
     # frequencies 0 … 256 along y are those around the middle of points turned by 128
-    turns, half = np.exp(-1j * (SIDE // 4) * y), np.empty((SIDE, SIDE // 2 + 1), complex)
+    turns = np.exp(-1j * (SIDE // 4) * y)
+
+    def ours():
+        plan, power = Plan("point_power", SIDE // 2, TOLERANCE), np.empty((SIDE, SIDE))
+        return plan.run("point_power", n, points, power, threads)
 
     def square(sums):
         return (sums.real**2 + sums.imag**2) / n
 
-    def ducc(weights, out):
-        ducc0.nufft.nu2u(points=weights, coord=angles, forward=True, epsilon=TOLERANCE, nthreads=threads, out=out)
-        return square(out)
+    def ducc(weights, columns):
+        out = np.empty((SIDE, columns), complex)
 
-    theirs = finufft.Plan(1, (SIDE, SIDE), eps=TOLERANCE, isign=-1, nthreads=threads)
+        def run():
+            ducc0.nufft.nu2u(points=weights, coord=angles, forward=True, epsilon=TOLERANCE, nthreads=threads, out=out)
+            return square(out)
+
+        return run
 
     def by_finufft():
-        theirs.setpts(x, y)
-        return square(theirs.execute(ones))
+        plan = finufft.Plan(1, (SIDE, SIDE), eps=TOLERANCE, isign=-1, nthreads=threads)
 
-    runs = {
-        f"ducc0 {ducc0.__version__}": lambda: ducc(ones, bins),
-        f"ducc0 {ducc0.__version__}, half of the plane": lambda: ducc(turns, half),
+        def run():
+            plan.setpts(x, y)
+            return square(plan.execute(ones))
+
+        return run
+
+    peers = {
+        f"ducc0 {ducc0.__version__}": lambda: ducc(ones, SIDE),
+        f"ducc0 {ducc0.__version__}, half of the plane": lambda: ducc(turns, SIDE // 2 + 1),
         f"FINUFFT {finufft.__version__}": by_finufft,
     }
     # the direct sum in some columns, of frequencies from zero on along y
@@ -61,9 +70,8 @@ def one(points, threads, rounds):
         known = found[np.array(columns) + SIDE // 2][:, -along.size :] if found.shape[1] == SIDE else found[np.array(columns) + SIDE // 2][:, : along.size]
         return np.linalg.norm(known - exact) / np.linalg.norm(exact)
 
-    ours()
-    contenders = [Contender("nyquist", error(power), ours, ours=True)]
-    contenders += [Contender(name, error(run()), run) for name, run in runs.items()]
+    contenders = [Contender("nyquist", ours, error, ours=True)]
+    contenders += [Contender(name, make, error) for name, make in peers.items()]
     # a real transform of a grid that is a quarter finer, and 5 × 5 cells for every point
     finer = (1.25 * SIDE) ** 2
     operations = 2.5 * finer * np.log2(finer) + n * 2 * 25

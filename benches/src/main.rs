@@ -22,6 +22,7 @@ const USAGE: &str = "usage: peers [--rounds N] [--list] [--machine] [--report] [
   --report  only write RESULTS.md anew from what was measured last";
 
 fn main() -> ExitCode {
+    memory::prepare();
     match run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {

@@ -1,26 +1,58 @@
 //! Contenders take turns, so that what slows the machine slows them all.
 
 use crate::memory::peak_of;
+use rayon::ThreadPool;
 use serde::{Deserialize, Serialize};
+use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 /// One way to do a job.
 pub struct Contender<'a> {
     name: String,
     ours: bool,
+    begin: Box<dyn FnOnce(&ThreadPool) -> Begun<'a> + 'a>,
+}
+
+/// What is known after the first run: the memory that it took, the error of its result, and how to run again.
+struct Begun<'a> {
+    memory: Option<f64>,
     error: f64,
     run: Box<dyn FnMut() + Send + 'a>,
 }
 
 impl<'a> Contender<'a> {
-    /// Ours. `error` is how far its result is from the reference, measured before the race in the norm that the job names.
-    pub fn ours(name: impl Into<String>, error: f64, run: impl FnMut() + Send + 'a) -> Self {
-        Self { name: name.into(), ours: true, error, run: Box::new(run) }
+    /// Ours. `make` builds what is kept from run to run: the plan, its rooms, the place of the result if it has one. `run`
+    /// does the job with it, and `error` is how far the first result is from the reference, in the norm that the job names.
+    pub fn ours<K: Send + 'a, R: Send>(
+        name: impl Into<String>,
+        make: impl FnOnce() -> K + Send + 'a,
+        mut run: impl FnMut(&mut K) -> R + Send + 'a,
+        error: impl FnOnce(&mut K, R) -> f64 + 'a,
+    ) -> Self {
+        let begin = move |pool: &ThreadPool| {
+            let mut first = None;
+            let memory = peak_of(|| {
+                first = Some(pool.install(|| {
+                    let mut kept = make();
+                    let result = run(&mut kept);
+                    (kept, result)
+                }));
+            });
+            let (mut kept, result) = first.expect("the work was done");
+            let error = error(&mut kept, result);
+            Begun { memory, error, run: Box::new(move || drop(black_box(run(&mut kept)))) }
+        };
+        Self { name: name.into(), ours: true, begin: Box::new(begin) }
     }
 
     /// Another library's.
-    pub fn peer(name: impl Into<String>, error: f64, run: impl FnMut() + Send + 'a) -> Self {
-        Self { ours: false, ..Self::ours(name, error, run) }
+    pub fn peer<K: Send + 'a, R: Send>(
+        name: impl Into<String>,
+        make: impl FnOnce() -> K + Send + 'a,
+        run: impl FnMut(&mut K) -> R + Send + 'a,
+        error: impl FnOnce(&mut K, R) -> f64 + 'a,
+    ) -> Self {
+        Self { ours: false, ..Self::ours(name, make, run, error) }
     }
 }
 
@@ -70,7 +102,7 @@ pub struct Line {
     pub median: f64,
     /// Half the distance between the quartiles.
     pub spread: f64,
-    /// Megabytes that one run needs beyond what stood in memory before it.
+    /// Megabytes that the plan, the first run and its result need at most beyond what stood in memory before them.
     pub memory: Option<f64>,
 }
 
@@ -91,42 +123,35 @@ impl Outcome {
 const LEAST: Duration = Duration::from_millis(20);
 
 impl Race<'_> {
-    /// Runs it: one run for warmth and memory, then `rounds` rounds in which each contender has its turn.
+    /// Runs it: each contender begins, for memory and error, then `rounds` rounds in which each has its turn.
     pub fn run(self, job: &str, rounds: usize) -> Outcome {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads).build().expect("threads can be started");
-        let Self { case, threads, limit, allowed, mut contenders } = self;
-        let mut repeats = Vec::new();
-        let mut memory = Vec::new();
-        for contender in &mut contenders {
-            memory.push(peak_of(|| pool.install(|| (contender.run)())));
-            let once = timed(&pool, 1, &mut contender.run);
+        let Self { case, threads, limit, allowed, contenders } = self;
+        let (mut lines, mut runs, mut repeats) = (Vec::new(), Vec::new(), Vec::new());
+        for Contender { name, ours, begin } in contenders {
+            let Begun { memory, error, mut run } = begin(&pool);
+            let once = timed(&pool, 1, &mut run);
             repeats.push((LEAST.as_secs_f64() / once).clamp(1.0, 1e6) as usize);
+            runs.push(run);
+            lines.push(Line { name, ours, error, least: once, median: once, spread: 0.0, memory });
         }
-        let mut times = vec![Vec::new(); contenders.len()];
+        let mut times = vec![Vec::new(); lines.len()];
         for _ in 0..rounds {
-            for ((contender, times), &repeats) in contenders.iter_mut().zip(&mut times).zip(&repeats) {
-                times.push(timed(&pool, repeats, &mut contender.run));
+            for ((run, times), &repeats) in runs.iter_mut().zip(&mut times).zip(&repeats) {
+                times.push(timed(&pool, repeats, run));
             }
         }
-        let lines = contenders.iter().zip(times).zip(memory).map(|((contender, mut times), memory)| {
+        for (line, times) in lines.iter_mut().zip(&mut times) {
             times.sort_by(f64::total_cmp);
             let at = |part: f64| times[(part * (times.len() - 1) as f64).round() as usize];
-            Line {
-                name: contender.name.clone(),
-                ours: contender.ours,
-                error: contender.error,
-                least: times[0],
-                median: at(0.5),
-                spread: 0.5 * (at(0.75) - at(0.25)),
-                memory,
-            }
-        });
-        Outcome { job: job.to_owned(), case, threads, limit, allowed, lines: lines.collect() }
+            (line.least, line.median, line.spread) = (times[0], at(0.5), 0.5 * (at(0.75) - at(0.25)));
+        }
+        Outcome { job: job.to_owned(), case, threads, limit, allowed, lines }
     }
 }
 
 /// Seconds a run, the mean of `repeats`.
-fn timed(pool: &rayon::ThreadPool, repeats: usize, run: &mut (dyn FnMut() + Send)) -> f64 {
+fn timed(pool: &ThreadPool, repeats: usize, run: &mut (dyn FnMut() + Send)) -> f64 {
     pool.install(|| {
         let start = Instant::now();
         for _ in 0..repeats {

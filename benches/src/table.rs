@@ -109,5 +109,7 @@ fn error(value: f64) -> String {
 }
 
 fn memory(line: &Line) -> String {
-    line.memory.map_or("—".into(), |megabytes| format!("{megabytes:.0}"))
+    // smaller ones the system does not tell apart
+    let told = |megabytes: f64| if megabytes < 10.0 { format!("{megabytes:.1}") } else { format!("{megabytes:.0}") };
+    line.memory.map_or("—".into(), told)
 }

@@ -20,10 +20,10 @@ fn run(machine: &Machine, rounds: usize) -> Vec<Outcome> {
     let mut outcomes = Vec::new();
     for n in LENGTHS {
         for threads in [1, 2] {
-            outcomes.push(complex::<f64>(n, threads, machine).run(JOB.letter, rounds));
-            outcomes.push(complex::<f32>(n, threads, machine).run(JOB.letter, rounds));
-            outcomes.push(real::<f64>(n, threads, machine).run(JOB.letter, rounds));
-            outcomes.push(real::<f32>(n, threads, machine).run(JOB.letter, rounds));
+            outcomes.push(complex::<f64>(n, threads, machine, rounds));
+            outcomes.push(complex::<f32>(n, threads, machine, rounds));
+            outcomes.push(real::<f64>(n, threads, machine, rounds));
+            outcomes.push(real::<f32>(n, threads, machine, rounds));
         }
     }
     outcomes
@@ -34,61 +34,71 @@ fn axis(n: usize) -> Axis {
     Axis::new(-0.3, 0.1, n).expect("all lengths are positive")
 }
 
-fn complex<T: Real + FftNum>(n: usize, threads: usize, machine: &Machine) -> Race<'static> {
+fn complex<T: Real + FftNum>(n: usize, threads: usize, machine: &Machine, rounds: usize) -> Outcome {
     let input: Vec<Complex<T>> =
         noise(n).zip(noise(2 * n).skip(n)).map(|(re, im)| Complex::new(T::of(re), T::of(im))).collect();
-    let mut out = vec![Complex::default(); n];
-    let ours = PhysicalFft::new(axis(n));
-    ours.forward(&input, &mut out).expect("the lengths agree");
     let sum = direct(&input);
     let turn = |k: i64, value: Complex<f64>| value * physical(n, k);
-    let ours_errs = worst(n, |k| wide(out[(k + (n / 2) as i64) as usize]), |k| turn(k, sum(k)));
-    let peer = FftPlanner::<T>::new().plan_fft_forward(n);
-    let mut scratch = vec![Complex::default(); peer.get_immutable_scratch_len()];
-    peer.process_immutable_with_scratch(&input, &mut out, &mut scratch);
-    let peer_errs = worst(n, |k| wide(out[k.rem_euclid(n as i64) as usize]), sum);
-    let (theirs, mut theirs_out) = (input.clone(), out.clone());
-    Race {
+    let race = Race {
         case: format!("complex, {}, {}", length(n), width::<T>()),
         threads,
         limit: Some(limit::<T>(n, 4.0, 5.0, machine, threads)),
         allowed: allowed::<T>(n),
         contenders: vec![
-            Contender::ours("nyquist", ours_errs, move || ours.forward(&input, &mut out).expect("the lengths agree")),
-            Contender::peer("rustfft 6.4.1", peer_errs, move || {
-                peer.process_immutable_with_scratch(&theirs, &mut theirs_out, &mut scratch);
-            }),
+            Contender::ours(
+                "nyquist",
+                || (PhysicalFft::new(axis(n)), vec![Complex::default(); n]),
+                |(fft, out)| fft.forward(&input, out).expect("the lengths agree"),
+                |(_, out), ()| worst(n, |k| wide(out[(k + (n / 2) as i64) as usize]), |k| turn(k, sum(k))),
+            ),
+            Contender::peer(
+                "rustfft 6.4.1",
+                || {
+                    let fft = FftPlanner::<T>::new().plan_fft_forward(n);
+                    let scratch = vec![Complex::default(); fft.get_immutable_scratch_len()];
+                    (fft, scratch, vec![Complex::default(); n])
+                },
+                |(fft, scratch, out)| fft.process_immutable_with_scratch(&input, out, scratch),
+                |(.., out), ()| worst(n, |k| wide(out[k.rem_euclid(n as i64) as usize]), &sum),
+            ),
         ],
-    }
+    };
+    race.run(JOB.letter, rounds)
 }
 
-fn real<T: Real + FftNum>(n: usize, threads: usize, machine: &Machine) -> Race<'static> {
+fn real<T: Real + FftNum>(n: usize, threads: usize, machine: &Machine, rounds: usize) -> Outcome {
     let input: Vec<T> = noise(n).map(T::of).collect();
-    let mut out = vec![Complex::default(); n / 2 + 1];
-    let ours = PhysicalRealFft::new(axis(n));
-    ours.forward(&input, &mut out).expect("the lengths agree");
     let numbers: Vec<Complex<T>> = input.iter().map(|&value| value.into()).collect();
     let sum = direct(&numbers);
-    let ours_errs = worst(n, |k| wide(out[k.unsigned_abs() as usize]), |k| sum(k.abs()) * physical(n, k.abs()));
-    let peer = RealFftPlanner::<T>::new().plan_fft_forward(n);
-    let (mut scratch, mut copy) = (peer.make_scratch_vec(), input.clone());
-    // it overwrites its input, so that the copy is part of doing the job again and again
-    peer.process_with_scratch(&mut copy, &mut out, &mut scratch).expect("the lengths agree");
-    let peer_errs = worst(n, |k| wide(out[k.unsigned_abs() as usize]), |k| sum(k.abs()));
-    let (theirs, mut theirs_out) = (input.clone(), out.clone());
-    Race {
+    let race = Race {
         case: format!("real, {}, {}", length(n), width::<T>()),
         threads,
         limit: Some(limit::<T>(n, 2.0, 2.5, machine, threads)),
         allowed: allowed::<T>(n),
         contenders: vec![
-            Contender::ours("nyquist", ours_errs, move || ours.forward(&input, &mut out).expect("the lengths agree")),
-            Contender::peer("realfft 3.5.1", peer_errs, move || {
-                copy.copy_from_slice(&theirs);
-                peer.process_with_scratch(&mut copy, &mut theirs_out, &mut scratch).expect("the lengths agree");
-            }),
+            Contender::ours(
+                "nyquist",
+                || (PhysicalRealFft::new(axis(n)), vec![Complex::default(); n / 2 + 1]),
+                |(fft, out)| fft.forward(&input, out).expect("the lengths agree"),
+                |(_, out), ()| worst(n, |k| wide(out[k as usize]), |k| sum(k) * physical(n, k)),
+            ),
+            Contender::peer(
+                "realfft 3.5.1",
+                || {
+                    let fft = RealFftPlanner::<T>::new().plan_fft_forward(n);
+                    let scratch = fft.make_scratch_vec();
+                    (fft, scratch, input.clone(), vec![Complex::default(); n / 2 + 1])
+                },
+                // it overwrites its input, so that the copy is part of doing the job again and again
+                |(fft, scratch, copy, out)| {
+                    copy.copy_from_slice(&input);
+                    fft.process_with_scratch(copy, out, scratch).expect("the lengths agree");
+                },
+                |(.., out), ()| worst(n, |k| wide(out[k as usize]), &sum),
+            ),
         ],
-    }
+    };
+    race.run(JOB.letter, rounds)
 }
 
 /// Frequencies that are looked at.

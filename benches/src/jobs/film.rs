@@ -8,7 +8,6 @@ use nyquist::engine::film::{Film, Sample};
 use nyquist::kernel::Kernel;
 use nyquist::kernel::cubic::Cubic;
 use nyquist::kernel::gaussian::GaussianKernel;
-use std::hint::black_box;
 
 pub const JOB: Job = Job { letter: "h", name: "film", about: "16 scattered samples a pixel into n² pixels", run };
 
@@ -16,42 +15,47 @@ fn run(machine: &Machine, rounds: usize) -> Vec<Outcome> {
     let mut outcomes = Vec::new();
     for n in [256, 512, 1024] {
         for threads in [1, 2] {
-            outcomes.push(film(n, &GaussianKernel::pbrt2(), threads, machine).run(JOB.letter, rounds));
-            outcomes.push(film(n, &Cubic::mitchell(), threads, machine).run(JOB.letter, rounds));
+            outcomes.push(film(n, &GaussianKernel::pbrt2(), threads, machine, rounds));
+            outcomes.push(film(n, &Cubic::mitchell(), threads, machine, rounds));
         }
     }
     outcomes
 }
 
-fn film(n: usize, kernel: &dyn Kernel, threads: usize, machine: &Machine) -> Race<'static> {
+fn film(n: usize, kernel: &dyn Kernel, threads: usize, machine: &Machine, rounds: usize) -> Outcome {
     let count = 16 * n * n;
     let numbers: Vec<f32> = noise(3 * count).map(|u| 0.5 * (u as f32 + 1.0)).collect();
     let place = |u: f32| u * n as f32;
     let samples: Vec<_> =
         numbers.chunks_exact(3).map(|u| Sample { at: [place(u[0]), place(u[1])], light: [u[2]] }).collect();
-    let plan = Film::<f32>::new([n, n], kernel.radius(), |t| kernel.at(t)).expect("a kernel of radius two");
     let table: Vec<f32> = (0..=TABLE).map(|i| kernel.at(2.0 * i as f64 / TABLE as f64) as f32).collect();
     let exact = loops(n, &samples, |t| kernel.at(f64::from(t)));
     let error = |pixels: &mut dyn Iterator<Item = f32>| {
         pixels.zip(&exact).map(|(found, known)| (f64::from(found) - known).abs()).fold(0.0, f64::max)
     };
-    let ours = error(&mut plan.develop(&samples).expect("places are finite").planes[0].iter().copied());
-    let plain = error(&mut loops(n, &samples, |t| weight(&table, t)).into_iter().map(|v| v as f32));
-    let theirs = samples.clone();
     let limit = machine.least(12.0 * count as f64, 0.5 * 2.0 * 2.0 * 16.0 * count as f64, threads);
-    Race {
+    let race = Race {
         case: format!("{}, {n}²", kernel.name()),
         threads,
         limit: Some((limit, "samples read once; two fused multiply-adds of 32 bits a sample and pixel".to_owned())),
         // two sums of 256 numbers in single precision, and as much for tables
         allowed: 4.0 * 256.0 * f64::from(f32::EPSILON),
         contenders: vec![
-            Contender::ours("nyquist, f32", ours, move || drop(black_box(plan.develop(&samples)))),
-            Contender::peer("a plain loop, weights from a table", plain, move || {
-                drop(black_box(loops(n, &theirs, |t| weight(&table, t))))
-            }),
+            Contender::ours(
+                "nyquist, f32",
+                || Film::<f32>::new([n, n], kernel.radius(), |t| kernel.at(t)).expect("a kernel of radius two"),
+                |plan| plan.develop(&samples).expect("places are finite"),
+                |_, developed| error(&mut developed.planes[0].iter().copied()),
+            ),
+            Contender::peer(
+                "a plain loop, weights from a table",
+                || (),
+                |()| loops(n, &samples, |t| weight(&table, t)),
+                |(), pixels| error(&mut pixels.into_iter().map(|v| v as f32)),
+            ),
         ],
-    }
+    };
+    race.run(JOB.letter, rounds)
 }
 
 /// Steps of the table from zero to the radius.

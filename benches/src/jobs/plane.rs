@@ -19,46 +19,57 @@ fn run(machine: &Machine, rounds: usize) -> Vec<Outcome> {
     let mut outcomes = Vec::new();
     for n in [1024, 2048, 4096] {
         for threads in [1, 2] {
-            outcomes.push(power::<f64>(n, threads, machine).run(JOB.letter, rounds));
-            outcomes.push(power::<f32>(n, threads, machine).run(JOB.letter, rounds));
+            outcomes.push(power::<f64>(n, threads, machine, rounds));
+            outcomes.push(power::<f32>(n, threads, machine, rounds));
         }
     }
     outcomes
 }
 
-fn power<T: Real + FftNum>(n: usize, threads: usize, machine: &Machine) -> Race<'static> {
+fn power<T: Real + FftNum>(n: usize, threads: usize, machine: &Machine, rounds: usize) -> Outcome {
     let image: Vec<T> = noise(n * n).map(T::of).collect();
     let axis = Axis::new(0.0, 1.0, n).expect("sizes are positive");
-    let ours = PlaneFft::new(Grid::new(axis, axis).expect("the image fits into memory"));
-    let mut out = vec![T::default(); n * n];
-    ours.power(&image, &mut out).expect("the sizes agree");
-    let mut known = Known::new(n);
-    let mut half = vec![T::default(); n * (n / 2 + 1)];
-    known.power(&image, &mut half);
-    let scale = (n * n) as f64;
-    let size = |value: T| value.to_f64().expect("every number is one of 64 bits");
-    let at = |k: usize, l: usize| size(out[(l + n / 2) % n * n + (k + n / 2) % n]) * scale;
+    let grid = Grid::new(axis, axis).expect("the image fits into memory");
     // each against the other: the oracles of both are in the tests of the library
-    let largest = half.iter().map(|&p| size(p)).fold(0.0, f64::max);
-    let pairs = (0..n).flat_map(|l| (0..n / 2).map(move |k| (k, l)));
-    let differ = pairs.map(|(k, l)| (at(k, l) - size(half[k * n + l])).abs()).fold(0.0, f64::max) / largest;
-    let theirs = image.clone();
+    let mut half = vec![T::default(); n * (n / 2 + 1)];
+    Known::new(n).power(&image, &mut half);
+    let size = |value: T| value.to_f64().expect("every number is one of 64 bits");
+    let differ = |out: &[T]| {
+        let scale = (n * n) as f64;
+        let at = |k: usize, l: usize| size(out[(l + n / 2) % n * n + (k + n / 2) % n]) * scale;
+        let largest = half.iter().map(|&p| size(p)).fold(0.0, f64::max);
+        let pairs = (0..n).flat_map(|l| (0..n / 2).map(move |k| (k, l)));
+        pairs.map(|(k, l)| (at(k, l) - size(half[k * n + l])).abs()).fold(0.0, f64::max) / largest
+    };
+    let mut whole = vec![T::default(); n * n];
+    PlaneFft::new(grid).power(&image, &mut whole).expect("the sizes agree");
+    let theirs = differ(&whole);
+    drop(whole);
     let pixels = (n * n) as f64;
     let width = size_of::<T>() as f64;
     let limit = machine.least(pixels * width * (1.0 + 2.0 + 1.0), 2.5 * pixels * pixels.log2() * width / 8.0, threads);
-    Race {
+    let race = Race {
         case: format!("{n}², {}", if width == 8.0 { "f64" } else { "f32" }),
         threads,
         limit: Some((limit, "image, half plane out and in, and result moved once; 2.5n²·log₂n² operations".to_owned())),
         // two transforms of n numbers, squared
         allowed: 2.0 * 2.0 * 8.0 * size(T::epsilon()) * pixels.log2(),
         contenders: vec![
-            Contender::ours("nyquist", differ, move || ours.power(&image, &mut out).expect("the sizes agree")),
-            Contender::peer("realfft + rustfft in blocks (half plane only)", differ, move || {
-                known.power(&theirs, &mut half)
-            }),
+            Contender::ours(
+                "nyquist",
+                || (PlaneFft::new(grid), vec![T::default(); n * n]),
+                |(fft, out)| fft.power(&image, out).expect("the sizes agree"),
+                |(_, out), ()| differ(out),
+            ),
+            Contender::peer(
+                "realfft + rustfft in blocks (half plane only)",
+                || (Known::new(n), vec![T::default(); n * (n / 2 + 1)]),
+                |(known, out)| known.power(&image, out),
+                |_, ()| theirs,
+            ),
         ],
-    }
+    };
+    race.run(JOB.letter, rounds)
 }
 
 /// Columns that are gathered at once.

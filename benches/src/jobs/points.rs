@@ -13,7 +13,6 @@ use nyquist::pattern::sobol::Sobol;
 use poisson::algorithm::{Bridson, Ebeida};
 use poisson::{Builder, Type};
 use rand6::SeedableRng;
-use std::hint::black_box;
 
 pub const JOB: Job = Job { letter: "g", name: "points", about: "sample patterns and their discrepancy", run };
 
@@ -37,7 +36,6 @@ fn limit(points: usize, machine: &Machine) -> Option<(f64, String)> {
 
 fn sobol(n: usize, machine: &Machine) -> Race<'static> {
     let owen = Sobol::new(n).expect("there can be so many").scrambled(Scrambling::Owen);
-    let ours = move |seed| -> Points { owen.points(seed) };
     let single = move |seed| -> Vec<[f32; 2]> {
         (0..n as u32).map(|i| [0, 1].map(|d| sobol_burley::sample(i, d, seed))).collect()
     };
@@ -46,20 +44,31 @@ fn sobol(n: usize, machine: &Machine) -> Race<'static> {
     };
     // a net of quality zero has a point in every elementary box
     let quality = |points: Points| f64::from(net_quality(&points, 2).expect("a power of two"));
-    let wide = |points: Vec<[f32; 2]>| points.into_iter().map(|p| p.map(f64::from)).collect();
+    let wide = |points: Vec<[f32; 2]>| -> Points { points.into_iter().map(|p| p.map(f64::from)).collect() };
     Race {
         case: format!("Owen's Sobol', {n} × 2"),
         threads: 1,
         limit: limit(n, machine),
         allowed: 0.0,
         contenders: vec![
-            Contender::ours("nyquist, nested uniform, f64", quality(ours(1)), move || drop(black_box(ours(1)))),
-            Contender::peer("sobol_burley, hashed, f32, one by one", quality(wide(single(1))), move || {
-                drop(black_box(single(1)))
-            }),
-            Contender::peer("sobol_burley, hashed, f32, four dimensions", quality(wide(four(1))), move || {
-                drop(black_box(four(1)))
-            }),
+            Contender::ours(
+                "nyquist, nested uniform, f64",
+                || (),
+                move |()| owen.points(1),
+                move |(), points| quality(points),
+            ),
+            Contender::peer(
+                "sobol_burley, hashed, f32, one by one",
+                || (),
+                move |()| single(1),
+                move |(), points| quality(wide(points)),
+            ),
+            Contender::peer(
+                "sobol_burley, hashed, f32, four dimensions",
+                || (),
+                move |()| four(1),
+                move |(), points| quality(wide(points)),
+            ),
         ],
     }
 }
@@ -90,7 +99,7 @@ fn disks(about: usize, torus: bool, machine: &Machine) -> Race<'static> {
         };
         all
     };
-    let theirs = scaled(bluenoise().into_iter(), f64::from(width));
+    let theirs = move |points: Points| scaled(points.into_iter(), f64::from(width));
     Race {
         case: format!("disks, about {about}{}", if torus { ", torus" } else { "" }),
         threads: 1,
@@ -98,12 +107,18 @@ fn disks(about: usize, torus: bool, machine: &Machine) -> Race<'static> {
         // four coordinates of single precision, each rounded to half an ulp of a place up to the width
         allowed: 4.0 * f64::from(width * f32::EPSILON),
         contenders: vec![
-            Contender::ours("nyquist, maximal", nearer(&pattern.points(1), torus, radius), move || {
-                drop(black_box(pattern.points(1)))
-            }),
-            Contender::peer("bluenoise, f32, not maximal", nearer(&theirs, torus, radius), move || {
-                drop(black_box(bluenoise()))
-            }),
+            Contender::ours(
+                "nyquist, maximal",
+                || (),
+                move |()| pattern.points(1),
+                move |(), points: Points| nearer(&points, torus, radius),
+            ),
+            Contender::peer(
+                "bluenoise, f32, not maximal",
+                || (),
+                move |()| bluenoise(),
+                move |(), points| nearer(&theirs(points), torus, radius),
+            ),
         ],
     }
 }
@@ -144,7 +159,7 @@ fn maximal(about: usize, torus: bool, machine: &Machine) -> Race<'static> {
             if ebeida { builder.build(random, Ebeida).generate() } else { builder.build(random, Bridson).generate() };
         points.into_iter().map(|p| [p.x, p.y]).collect()
     };
-    let error = |points: Points| nearer(&points, torus, radius).max(gaps(&points, torus, radius));
+    let error = move |points: Points| nearer(&points, torus, radius).max(gaps(&points, torus, radius));
     Race {
         case: format!("maximal disks, about {about}{}", if torus { ", torus" } else { "" }),
         threads: 1,
@@ -152,28 +167,30 @@ fn maximal(about: usize, torus: bool, machine: &Machine) -> Race<'static> {
         // of the radius, by rounding; and of 10⁵ places, none
         allowed: 8.0 * f64::EPSILON / radius,
         contenders: vec![
-            Contender::ours("nyquist", error(pattern.points(1)), move || drop(black_box(pattern.points(1)))),
-            Contender::peer("poisson, Ebeida", error(theirs(true)), move || drop(black_box(theirs(true)))),
-            Contender::peer("poisson, Bridson", error(theirs(false)), move || drop(black_box(theirs(false)))),
+            Contender::ours("nyquist", || (), move |()| pattern.points(1), move |(), points| error(points)),
+            Contender::peer("poisson, Ebeida", || (), move |()| theirs(true), move |(), points| error(points)),
+            Contender::peer("poisson, Bridson", || (), move |()| theirs(false), move |(), points| error(points)),
         ],
     }
 }
 
 fn best(n: usize, machine: &Machine) -> Race<'static> {
     let ours = BestCandidate::new(n).expect("there can be so many");
-    let points = ours.points(1);
     // how many independent points would be as near as the nearest two: none here, and the same for both
-    let near = |points: &[[f64; 2]]| nearer(points, true, 0.3 / (n as f64).sqrt());
+    let near = move |points: Points| nearer(&points, true, 0.3 / (n as f64).sqrt());
     Race {
         case: format!("best of 10 candidates, {n}"),
         threads: 1,
         limit: limit(n, machine),
         allowed: 0.5,
         contenders: vec![
-            Contender::ours("nyquist", near(&points), move || drop(black_box(ours.points(1)))),
-            Contender::peer("a plain grid of lists", near(&plain_grid(n, 10)), move || {
-                drop(black_box(plain_grid(n, 10)))
-            }),
+            Contender::ours("nyquist", || (), move |()| ours.points(1), move |(), points| near(points)),
+            Contender::peer(
+                "a plain grid of lists",
+                || (),
+                move |()| plain_grid(n, 10),
+                move |(), points| near(points),
+            ),
         ],
     }
 }
@@ -218,7 +235,7 @@ fn plain_grid(n: usize, candidates: usize) -> Points {
 fn worst_box(n: usize) -> Race<'static> {
     let points: Points = Sobol::new(n).expect("there can be so many").scrambled(Scrambling::Owen).points(1);
     let theirs = points.clone();
-    let differ = (star_discrepancy(&points).expect("points of the square") - textbook(&points)).abs();
+    let (ours, known) = (star_discrepancy(&points).expect("points of the square"), textbook(&points));
     Race {
         case: format!("star discrepancy of {n}"),
         threads: 1,
@@ -226,10 +243,18 @@ fn worst_box(n: usize) -> Race<'static> {
         // a product and a sum of numbers up to one, in either
         allowed: 4.0 * f64::EPSILON,
         contenders: vec![
-            Contender::ours("nyquist", differ, move || drop(black_box(star_discrepancy(&points)))),
-            Contender::peer("the textbook's O(N²)", differ, move || {
-                black_box(textbook(&theirs));
-            }),
+            Contender::ours(
+                "nyquist",
+                || (),
+                move |()| star_discrepancy(&points).expect("points of the square"),
+                move |(), found| (found - known).abs(),
+            ),
+            Contender::peer(
+                "the textbook's O(N²)",
+                || (),
+                move |()| textbook(&theirs),
+                move |(), found| (found - ours).abs(),
+            ),
         ],
     }
 }

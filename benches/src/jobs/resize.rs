@@ -32,10 +32,13 @@ pub struct Case {
 /// What writes a resized image.
 pub type Run<'a, C> = Box<dyn FnMut(&mut [C]) + Send + 'a>;
 
-/// A way to do it once, into the numbers given.
+/// What plans it.
+pub type Make<'a, C> = Box<dyn FnOnce() -> Run<'a, C> + Send + 'a>;
+
+/// A way to do it.
 pub struct Way<'a, C> {
-    pub name: String,
-    pub run: Run<'a, C>,
+    pub name: &'static str,
+    pub make: Make<'a, C>,
 }
 
 /// `f32` or bytes.
@@ -111,16 +114,18 @@ fn of<C: Number>(case: Case, machine: &Machine, rounds: usize) -> [Outcome; 2] {
     let source: Vec<C> = noise(from * from * channels).enumerate().map(pixel).collect();
     let exact = exact(case, &source);
     [1, 2].map(|threads| {
-        let mut ways = vec![ours(case, &source)];
-        ways.extend(C::peers(case, &source, threads));
-        let contenders = ways.into_iter().enumerate().map(|(i, Way { name, mut run })| {
-            let mut out = vec![C::default(); to * to * channels];
-            run(&mut out);
-            let error = error(case, &out, &exact);
-            let again = move || run(&mut out);
-            if i == 0 { Contender::ours(name, error, again) } else { Contender::peer(name, error, again) }
-        });
-        let contenders = contenders.collect();
+        let (source, exact) = (&source, &exact);
+        let result = move || vec![C::default(); to * to * channels];
+        let error = move |out: &[C]| error(case, out, exact);
+        let mut contenders = vec![Contender::ours(
+            "nyquist",
+            move || (ours(case, source), result()),
+            |(run, out)| run(out),
+            move |(_, out), ()| error(out),
+        )];
+        contenders.extend(C::peers(case, source, threads).into_iter().map(|Way { name, make }| {
+            Contender::peer(name, move || (make(), result()), |(run, out)| run(out), move |(_, out), ()| error(out))
+        }));
         let bytes = (size_of::<C>() * channels * (from * from + to * to)) as f64;
         // the way that needs fewer products: down before across when shrinking
         let taps = |n: f64| 2.0 * catalog::by_name(kernel).expect("a known kernel").radius() * n;
@@ -148,7 +153,7 @@ fn of<C: Number>(case: Case, machine: &Machine, rounds: usize) -> [Outcome; 2] {
     })
 }
 
-fn ours<C: Number>(case: Case, source: &[C]) -> Way<'_, C> {
+fn ours<C: Number>(case: Case, source: &[C]) -> Run<'_, C> {
     let Case { kernel, channels, from, to, light } = case;
     let kernel = catalog::by_name(kernel).expect("a known kernel");
     let axis = |n| Axis::cells(0.0..from as f64, n).expect("sizes are positive");
@@ -156,12 +161,11 @@ fn ours<C: Number>(case: Case, source: &[C]) -> Way<'_, C> {
         || Weights::of(axis(from), axis(to), &kernel).and_then(|w| w.taps(Edge::Clamp)).expect("a finite kernel");
     let plan = Resizer::new(taps(), taps(), Arithmetic::Fused);
     let light = light.then(|| Light::new(srgb_to_linear).expect("a rising curve"));
-    let run = move |out: &mut [C]| {
+    Box::new(move |out| {
         let source = View::new(source, [from; 2], channels, from * channels).expect("the sizes agree");
         let target = ViewMut::new(out, [to; 2], channels, to * channels).expect("the sizes agree");
         C::ours(&plan, light.as_ref(), source, target);
-    };
-    Way { name: "nyquist".into(), run: Box::new(run) }
+    })
 }
 
 /// The largest error of pixels that see nothing beyond the border: every library says otherwise what is there.

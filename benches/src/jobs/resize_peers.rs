@@ -1,6 +1,6 @@
 //! The other crates that resize images.
 
-use crate::jobs::resize::{Case, Run, Way};
+use crate::jobs::resize::{Case, Make, Run, Way};
 use fast_image_resize::images::{Image, ImageRef};
 use fast_image_resize::{FilterType, PixelType, ResizeAlg, ResizeOptions, create_srgb_mapper};
 use pic_scale::{ImageSize, ImageStore, ImageStoreMut, LinearScaler, ResamplingFunction, Scaler, ThreadingPolicy};
@@ -15,24 +15,27 @@ impl Known for f32 {
     fn peers(case: Case, source: &[Self], threads: usize) -> Vec<Way<'_, Self>> {
         let bytes: &[u8] = bytemuck::cast_slice(source);
         let pixel = [PixelType::F32, PixelType::F32x3][case.channels / 2];
-        let mut fast = fast(case, bytes, pixel);
-        let (name, run) = pic(case, source, threads);
-        let fast = move |out: &mut [Self]| fast(bytemuck::cast_slice_mut(out));
-        vec![Way { name: FAST.into(), run: Box::new(fast) }, Way { name, run }]
+        let fast = move || -> Run<'_, Self> {
+            let mut fast = fast(case, bytes, pixel);
+            Box::new(move |out| fast(bytemuck::cast_slice_mut(out)))
+        };
+        both(Box::new(fast), Box::new(move || Self::plan(case, source, threads)))
     }
 }
 
 impl Known for u8 {
     fn peers(case: Case, source: &[Self], threads: usize) -> Vec<Way<'_, Self>> {
         let pixel = [PixelType::U8, PixelType::U8x3][case.channels / 2];
-        let fast: Run<'_, Self> =
-            if case.light { Box::new(fast_light(case, source, pixel)) } else { Box::new(fast(case, source, pixel)) };
-        let (name, run) = pic(case, source, threads);
-        vec![Way { name: FAST.into(), run: fast }, Way { name, run }]
+        let fast = move || -> Run<'_, Self> {
+            if case.light { Box::new(fast_light(case, source, pixel)) } else { Box::new(fast(case, source, pixel)) }
+        };
+        both(Box::new(fast), Box::new(move || Self::plan(case, source, threads)))
     }
 }
 
-const FAST: &str = "fast_image_resize 6.1.0";
+fn both<'a, C>(fast: Make<'a, C>, pic: Make<'a, C>) -> Vec<Way<'a, C>> {
+    vec![Way { name: "fast_image_resize 6.1.0", make: fast }, Way { name: "pic-scale 0.7.12", make: pic }]
+}
 
 fn options(case: Case) -> ResizeOptions {
     let filter = match case.kernel {
@@ -136,8 +139,4 @@ impl Scaled for u8 {
             _ => plan!(scaler.plan_rgb_resampling(from, to), case, source, 8, 3),
         }
     }
-}
-
-fn pic<C: Scaled>(case: Case, source: &[C], threads: usize) -> (String, Run<'_, C>) {
-    ("pic-scale 0.7.12".into(), C::plan(case, source, threads))
 }

@@ -27,12 +27,12 @@ fn run(machine: &Machine, rounds: usize) -> Vec<Outcome> {
     let mut outcomes = Vec::new();
     for threads in [1, 2] {
         for channels in [1, 2] {
-            outcomes.push(sound::<f64>(60, channels, threads, machine).run(JOB.letter, rounds));
-            outcomes.push(sound::<f32>(60, channels, threads, machine).run(JOB.letter, rounds));
+            outcomes.push(sound::<f64>(60, channels, threads, machine, rounds));
+            outcomes.push(sound::<f32>(60, channels, threads, machine, rounds));
         }
         // growth
         for seconds in [6, 240] {
-            outcomes.push(sound::<f64>(seconds, 2, threads, machine).run(JOB.letter, rounds));
+            outcomes.push(sound::<f64>(seconds, 2, threads, machine, rounds));
         }
     }
     outcomes
@@ -43,18 +43,20 @@ fn sound<T: Real + rubato::Sample + ardftsrc::Sample>(
     channels: usize,
     threads: usize,
     machine: &Machine,
-) -> Race<'static> {
+    rounds: usize,
+) -> Outcome {
     let wide = size_of::<T>() == 8;
+    let input: Vec<T> = noise(seconds * FROM * channels).map(|v| T::of(0.5 * v)).collect();
     let mut contenders = vec![
-        ours::<T>("nyquist best", seconds, channels, whole(channels, Quality::Best)),
-        ours::<T>("nyquist best, in blocks of 4096 frames", seconds, channels, in_blocks(channels, Quality::Best)),
-        peer::<T>("rubato Fft, 1024", seconds, channels, by_rubato(channels, 1024)),
-        peer::<T>("rubato Fft, 4096", seconds, channels, by_rubato(channels, 4096)),
-        peer::<T>("ardftsrc good", seconds, channels, by_ardftsrc(channels, PRESET_GOOD)),
+        ours("nyquist best", &input, channels, move || whole(channels, Quality::Best)),
+        ours("nyquist best, in blocks of 4096 frames", &input, channels, move || in_blocks(channels, Quality::Best)),
+        peer("rubato Fft, 1024", &input, channels, move || by_rubato(channels, 1024)),
+        peer("rubato Fft, 4096", &input, channels, move || by_rubato(channels, 4096)),
+        peer("ardftsrc good", &input, channels, move || by_ardftsrc(channels, PRESET_GOOD)),
     ];
     if !wide {
-        contenders.push(ours::<T>("nyquist high (0.96)", seconds, channels, whole(channels, Quality::High)));
-        contenders.push(peer::<T>("ardftsrc fast", seconds, channels, by_ardftsrc(channels, PRESET_FAST)));
+        contenders.push(ours("nyquist high (0.96)", &input, channels, move || whole(channels, Quality::High)));
+        contenders.push(peer("ardftsrc fast", &input, channels, move || by_ardftsrc(channels, PRESET_FAST)));
     }
     let (width, from, to) =
         (size_of::<T>() as f64, (channels * seconds * FROM) as f64, (channels * seconds * TO) as f64);
@@ -63,30 +65,45 @@ fn sound<T: Real + rubato::Sample + ardftsrc::Sample>(
     let limit = machine.least((from + to) * width, work, threads);
     let counted = "input and output moved once; transforms of 2¹⁴ real samples, forward and back, without overlap";
     let [sort, kind] = [["mono", "stereo"][channels - 1], if wide { "f64" } else { "f32" }];
-    Race {
+    let race = Race {
         case: format!("{seconds} s, {sort}, {kind}"),
         threads,
         limit: Some((limit, counted.to_owned())),
         allowed: 10f64.powf(if wide { -180.0 } else { -130.0 } / 20.0),
         contenders,
-    }
+    };
+    race.run(JOB.letter, rounds)
 }
 
-fn ours<T: Real>(name: &str, seconds: usize, channels: usize, mut way: Way<T>) -> Contender<'static> {
-    let error = worst(&[0.1, 0.5, 0.91, 0.97], channels, &mut way);
-    Contender::ours(name, error, job(seconds, channels, way))
+fn ours<'a, T: Real>(
+    name: &str,
+    input: &'a [T],
+    channels: usize,
+    way: impl FnOnce() -> Way<T> + Send + 'a,
+) -> Contender<'a> {
+    let made = input.len() / FROM * TO;
+    Contender::ours(
+        name,
+        move || (way(), vec![T::zero(); made]),
+        move |(way, out)| way(input, out),
+        move |(way, _), ()| worst(&[0.1, 0.5, 0.91, 0.97], channels, way),
+    )
 }
 
-fn peer<T: Real>(name: &str, seconds: usize, channels: usize, mut way: Way<T>) -> Contender<'static> {
-    let error = worst(&[0.1, 0.5, 0.91], channels, &mut way);
-    Contender::peer(name, error, job(seconds, channels, way))
-}
-
-/// Noise, to where it stays.
-fn job<T: Real>(seconds: usize, channels: usize, mut way: Way<T>) -> impl FnMut() + Send {
-    let input: Vec<T> = noise(seconds * FROM * channels).map(|v| T::of(0.5 * v)).collect();
-    let mut out = vec![T::zero(); seconds * TO * channels];
-    move || way(&input, &mut out)
+fn peer<'a, T: Real>(
+    name: &str,
+    input: &'a [T],
+    channels: usize,
+    way: impl FnOnce() -> Way<T> + Send + 'a,
+) -> Contender<'a> {
+    let made = input.len() / FROM * TO;
+    Contender::peer(
+        name,
+        // pages of it that nobody writes are no memory: results of others stay where they make them
+        move || (way(), vec![T::zero(); made]),
+        move |(way, out)| way(input, out),
+        move |(way, _), ()| worst(&[0.1, 0.5, 0.91], channels, way),
+    )
 }
 
 fn whole<T: Real>(channels: usize, quality: Quality) -> Way<T> {
