@@ -3,9 +3,11 @@
 use crate::engine::fft::{Butterflies, Pool, RealFft};
 use crate::engine::real::Real;
 use crate::parallel;
+use crate::rate::between::Oversampling;
 use crate::rate::design::LowPass;
 use crate::rate::frames::{Frames, write};
 use crate::rate::quality::Quality;
+use crate::rate::ratio::Ratio;
 use bytemuck::cast_slice_mut;
 use num_complex::Complex;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
@@ -14,6 +16,8 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 const LEAST_WINDOW: usize = 2048;
 /// Windows are not made longer than this only to throw away less of them.
 const MOST_WINDOW: usize = 1 << 20;
+/// Windows longer than this are avoided where there is another way.
+const LONG: usize = 1 << 23;
 
 const WINDOW: &str = "rooms are as long as their windows";
 
@@ -39,7 +43,7 @@ pub(super) struct Blocks<T> {
 impl<T: Real> Blocks<T> {
     /// With `lead` frames of silence before the first.
     pub(super) fn new(design: Design, channels: usize, lead: usize, butterflies: Butterflies) -> Self {
-        let Design { up, down, filter, window, side } = design;
+        let Design { up, down, filter, over, window, side } = design;
         let low = up.min(down) * window;
         let reach = filter.radius().floor() as usize;
         // the filter at the samples of the lower rate, those before zero at the end
@@ -53,7 +57,9 @@ impl<T: Real> Blocks<T> {
         real_fft.forward(&taps, &mut spectrum).expect(WINDOW);
         // divided by the sum of the taps, so that a constant stays one
         let scale = 1.0 / (spectrum[0].re * (down * window) as f64);
-        let gains = spectrum[..low / 2].iter().map(|z| T::of(z.re * scale)).collect();
+        let over = over.map(Oversampling::gain);
+        let gain = |k: usize| over.as_ref().map_or(1.0, |gain| gain(k as f64 / (up * window) as f64));
+        let gains = spectrum[..low / 2].iter().enumerate().map(|(k, z)| T::of(z.re * scale * gain(k))).collect();
         let plan = |n| RealFft::with(n, butterflies).expect(WINDOW);
         let (forward, inverse, rooms) = (plan(down * window), plan(up * window), Pool::new());
         let kept = Vec::with_capacity(down * window * channels);
@@ -153,21 +159,45 @@ pub(super) struct Design {
     down: usize,
     /// In samples of the lower rate.
     filter: LowPass,
+    /// What the new samples are for, if they are not all.
+    over: Option<Oversampling>,
     window: usize,
     side: usize,
 }
 
 impl Design {
-    /// Up and down without a common divisor; the band ends at `scale ≤ 1` of the lower Nyquist frequency of both rates.
-    pub(super) fn new(up: usize, down: usize, scale: f64, quality: Quality) -> Self {
-        let filter = quality.low_pass(0.5 * scale);
-        let reach = filter.radius().ceil() as usize + 1;
+    /// From one rate to the other at once: a ratio of whole numbers, unless windows that have room for both are too long.
+    pub(super) fn exact(ratio: Ratio, quality: Quality) -> Option<Self> {
+        let (up, down) = ratio.terms()?;
+        let design = Self::new(up, down, 1.0, quality, None);
+        (up < down || design.room() <= LONG).then_some(design)
+    }
+
+    /// To as many times a whole fraction of the rate as an oversampled signal needs that is at least at the new one.
+    pub(super) fn oversampled(over: Oversampling, ratio: Ratio, quality: Quality) -> Self {
+        let part = (1.0 / ratio.value()).floor().max(1.0) as usize;
+        let (up, down) =
+            if part % over.up == 0 { (1, over.down * (part / over.up)) } else { (over.up, over.down * part) };
+        let scale = ratio.value().min(1.0) / (up as f64 / down as f64).min(1.0);
+        Self::new(up, down, scale, quality, Some(over))
+    }
+
+    /// Up and down, without a common divisor.
+    pub(super) fn terms(&self) -> [usize; 2] {
+        [self.up, self.down]
+    }
+
+    /// The band ends at `scale ≤ 1` of the lower Nyquist frequency of both rates.
+    fn new(up: usize, down: usize, scale: f64, quality: Quality, over: Option<Oversampling>) -> Self {
+        let (stronger, more) = over.map_or((1.0, 0), |_| (Oversampling::STRONGEST, Oversampling::SPREAD));
+        let filter = quality.low_pass(0.5 * scale, stronger);
+        let reach = filter.radius().ceil() as usize + 1 + more;
         let (low, high) = (up.min(down), up.max(down));
         let side = reach.div_ceil(low);
         // what is thrown away against the logarithm of the length: flat from ten sides on
         let long = easy((10 * side).max(LEAST_WINDOW.div_ceil(low)));
         let window = if long.saturating_mul(high) <= MOST_WINDOW { long } else { easy(4 * side) };
-        Self { up, down, filter, window, side }
+        Self { up, down, filter, over, window, side }
     }
 
     /// How many values a channel keeps at a time.

@@ -1,9 +1,10 @@
 //! Blocks in, blocks out.
 
+use crate::engine::Arithmetic;
 use crate::engine::fft::Butterflies;
 use crate::engine::real::Real;
 use crate::error::{Error, Result};
-use crate::rate::between::Between;
+use crate::rate::between::{Between, Oversampling};
 use crate::rate::blocks::{Blocks, Design};
 use crate::rate::quality::Quality;
 use crate::rate::ratio::{Ratio, too_much};
@@ -11,8 +12,6 @@ use crate::sampled::segments::{finite, whole, whole_frames};
 
 /// The most values that all channels may keep between blocks: 4 GB.
 const MOST_ROOM: usize = 1 << 29;
-/// Windows longer than this are avoided where there is another way.
-const LONG: usize = 1 << 23;
 /// How many frames of a whole record are converted at a time, where they pass another rate.
 const BLOCK: usize = 1 << 17;
 
@@ -76,7 +75,8 @@ impl<T: Real> Converter<T> {
 
     /// By chosen butterflies: [`Butterflies::Fastest`] takes half the time, and differs from one processor to another by the
     /// rounding of two transforms: in a window of `n` frames by at most `32ε·log₂n` of the root mean square (twice the bound
-    /// of [`fft`](crate::engine::fft)'s errors for both).
+    /// of [`fft`](crate::engine::fft)'s errors for both). Between rates that are no ratio of whole numbers products are fused
+    /// with sums, too, and the highest frequencies, which are made stronger on the way, round up to 80 times as much.
     ///
     /// # Errors
     /// Those of [`new`](Self::new).
@@ -89,24 +89,22 @@ impl<T: Real> Converter<T> {
             room if room > MOST_ROOM => Err(too_much(room as f64, MOST_ROOM as f64)),
             _ => Ok(design),
         };
-        let whole = ratio.terms().map(|(up, down)| (up, down, Design::new(up, down, 1.0, quality)));
-        let way = match whole {
-            Some((1, 1, _)) => Way::Copy,
-            Some((up, down, design)) if up < down || design.room() <= LONG => {
-                Way::Whole(Blocks::new(fits(design)?, channels, 0, butterflies))
-            }
-            _ => {
-                // twice the rate, or the least whole fraction of it that is at least twice the new one
-                let down = (0.5 / ratio.value()).floor().max(1.0) as usize;
-                let up = if down == 1 { 2 } else { 1 };
-                let between = up as f64 / down as f64;
-                let scale = ratio.value().min(1.0) / between.min(1.0);
-                let design = fits(Design::new(up, down, scale, quality))?;
-                // the filter rings before the first sample: so much silence first
-                let lead = Between::<T>::REACH.div_ceil(up);
-                let between = Between::new(channels, lead * up, ratio.step(up, down));
-                Way::Real(Blocks::new(design, channels, lead * down, butterflies), between)
-            }
+        let way = if ratio.terms() == Some((1, 1)) {
+            Way::Copy
+        } else if let Some(design) = Design::exact(ratio, quality) {
+            Way::Whole(Blocks::new(fits(design)?, channels, 0, butterflies))
+        } else {
+            let over = Oversampling::of::<T>();
+            let design = fits(Design::oversampled(over, ratio, quality))?;
+            let [up, down] = design.terms();
+            // the filter rings before the first sample: so much silence first
+            let lead = over.reach().div_ceil(up);
+            let arithmetic = match butterflies {
+                Butterflies::Scalar => Arithmetic::Plain,
+                Butterflies::Fastest => Arithmetic::Fused,
+            };
+            let between = Between::new(over, channels, lead * up, ratio.step(up, down), arithmetic);
+            Way::Real(Blocks::new(design, channels, lead * down, butterflies), between)
         };
         Ok(Self { ratio, way, channels, taken: 0, given: 0 })
     }
@@ -129,7 +127,7 @@ impl<T: Real> Converter<T> {
         match &self.way {
             Way::Copy => 0,
             Way::Whole(blocks) => blocks.delay(),
-            Way::Real(blocks, _) => blocks.delay_with(Between::<T>::REACH + 1),
+            Way::Real(blocks, _) => blocks.delay_with(Oversampling::of::<T>().reach() + 1),
         }
     }
 
@@ -152,9 +150,9 @@ impl<T: Real> Converter<T> {
                 let sound = blocks.push(frames, &mut between.samples);
                 let ready = between.ready();
                 out.resize(start + ready * self.channels, T::zero());
-                between.fill(&mut out[start..]);
+                let finite = between.fill(&mut out[start..]);
                 between.go_on(ready);
-                sound
+                sound & finite
             }
         };
         self.given += ((out.len() - start) / self.channels) as u64;
@@ -190,7 +188,7 @@ impl<T: Real> Converter<T> {
     pub fn whole(&mut self, frames: &[T], out: &mut [T]) -> Result<()> {
         whole(frames.len(), self.channels)?;
         // windows say themselves whether all is finite: the record is not read for it
-        if !matches!(self.way, Way::Whole(_)) {
+        if matches!(self.way, Way::Copy) {
             finite(frames)?;
         }
         let expected = self.ratio.frames((frames.len() / self.channels) as u64) as usize * self.channels;
@@ -205,7 +203,7 @@ impl<T: Real> Converter<T> {
                 sound &= blocks.push(block, &mut between.samples);
                 let ready = between.ready();
                 let (done, later) = out.split_at_mut(ready * self.channels);
-                between.fill(done);
+                sound &= between.fill(done);
                 between.go_on(ready);
                 (frames, out) = (rest, later);
             }
@@ -241,9 +239,8 @@ impl<T: Real> Converter<T> {
             Way::Whole(blocks) => blocks.fill(frames, out),
             Way::Real(blocks, between) => {
                 let missing = between.missing(out.len() / self.channels);
-                let finite = blocks.fill(frames, between.more(missing));
-                between.fill(out);
-                finite
+                let sound = blocks.fill(frames, between.more(missing));
+                between.fill(out) & sound
             }
         }
     }

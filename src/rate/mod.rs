@@ -17,9 +17,10 @@
 //! ([`design`]). A ratio `L/M` of whole numbers is done by overlap-save (Stockham 1966): a window of `qM` samples is
 //! transformed, its spectrum multiplied by the filter and cut or padded to that of `qL` samples, and transformed back; what
 //! the ends of the window touch is thrown away, a twelfth to a fifth of it (up to half where windows would be too long). So
-//! the phases of the ratio are exact, however large `L` and `M` are. Other ratios go through twice the rate, or a whole
-//! fraction of it, by the same means, and from there, where the signal is oversampled at least twice, to any times by a
-//! kernel of 32 samples whose values stand in a table (error `2·10⁻¹²` a sample). Times are counted in steps of 2⁻¹²⁸
+//! the phases of the ratio are exact, however large `L` and `M` are. Other ratios go through one and a half times the rate
+//! (twice in `f32`), or a whole fraction of that, by the same means, and from there to any times by a window of 16 (10)
+//! samples, whose spectrum is divided out on the way there: a transform at non-uniform points, as in
+//! [`nonuniform`](crate::engine::nonuniform). It errs by less than `6·10⁻¹²` of a tone. Times are counted in steps of 2⁻¹²⁸
 //! samples.
 //!
 //! Delay is compensated: the filter is symmetric, and output `m` stands for the time `m/R` exactly. Of `n` samples there
@@ -29,13 +30,14 @@
 //!
 //! The bits do not depend on how the input is cut into blocks, nor on the number of threads, on which windows are converted
 //! side by side; nor on the processor, unless the fastest butterflies are asked for ([`Converter::with`]). Numbers of 32
-//! bits round to −134 dB of a tone, those of 64 to −300.
+//! bits round to −134 dB of a tone (−130 where the ratio is not one of whole numbers), those of 64 to −300.
 
 mod between;
 mod blocks;
 mod converter;
 pub mod design;
 mod frames;
+mod phases;
 mod quality;
 mod ratio;
 mod response;

@@ -49,10 +49,11 @@ impl Quality {
         }
     }
 
-    /// The filter that keeps the promise, where the lower of both Nyquist frequencies is `nyquist` cycles a step.
-    pub(super) fn low_pass(self, nyquist: f64) -> LowPass {
+    /// The filter that keeps the promise, where the lower of both Nyquist frequencies is `nyquist` cycles a step, and a tone
+    /// there is made so many times as strong by something else.
+    pub(super) fn low_pass(self, nyquist: f64, stronger: f64) -> LowPass {
         let promise = self.promise();
-        LowPass::new(promise.pass * nyquist, nyquist, promise.rejection + MARGIN)
+        LowPass::new(promise.pass * nyquist, nyquist, promise.rejection + MARGIN + 20.0 * stronger.log10())
     }
 
     /// Its name.

@@ -29,3 +29,5 @@ pub use line::{Nufft, least_tolerance};
 pub use placed::Placed;
 pub use plane::PlaneNufft;
 pub use position::Position;
+pub(crate) use taps::{PIECE_BITS, Taps};
+pub(crate) use window::Window;

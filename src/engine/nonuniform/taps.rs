@@ -6,7 +6,7 @@ use crate::num::cos_pi;
 
 /// Into how many pieces the width of a cell is cut, each with polynomials of its own.
 const PIECES: usize = 1 << PIECE_BITS;
-const PIECE_BITS: u32 = 5;
+pub(crate) const PIECE_BITS: u32 = 5;
 /// The greatest degree of the polynomials.
 const MOST_DEGREE: usize = 9;
 
@@ -22,7 +22,7 @@ pub(super) const FRACTION: u64 = (1 << FRACTION_BITS) - 1;
 /// so) stays in the nearest cache. Interpolated at the nodes of Chebyshev, evaluated by Horner's rule for all `j` at
 /// once.
 #[derive(Debug, Clone)]
-pub(super) struct Taps<T> {
+pub(crate) struct Taps<T> {
     width: usize,
     degree: usize,
     /// Piece by piece, from the highest power to the lowest, `width` coefficients each.
@@ -32,7 +32,7 @@ pub(super) struct Taps<T> {
 impl<T: Real> Taps<T> {
     /// Polynomials for a window whose sum of errors at any place is at most `allowed`, or as small as rounding lets it
     /// be.
-    pub(super) fn new(window: &Window, allowed: f64) -> Self {
+    pub(crate) fn new(window: &Window, allowed: f64) -> Self {
         let least = 4.0 * f64::EPSILON * window.width() as f64;
         let table = |degree| Table::new(window, degree);
         let fits = |table: &Table| table.error(window) <= allowed.max(least);
@@ -41,8 +41,13 @@ impl<T: Real> Taps<T> {
         Self { width: window.width(), degree: found.degree, rows }
     }
 
-    pub(super) fn width(&self) -> usize {
+    pub(crate) fn width(&self) -> usize {
         self.width
+    }
+
+    /// The coefficients, `width` together: piece by piece, from the highest power to the lowest.
+    pub(crate) fn rows(&self) -> &[T] {
+        &self.rows
     }
 
     /// The polynomials of a window whose width is known to the compiler.

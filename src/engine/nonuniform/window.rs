@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 /// and ratios that are used, 11.6 and 7.6 (their proof allows more), and the law `nonuniform-harmonics` measures what
 /// comes of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Window {
+pub(crate) struct Window {
     width: usize,
     beta: f64,
     /// `I₀(β)`.
@@ -35,7 +35,7 @@ const LEAST_FACTOR: f64 = 8.0;
 
 impl Window {
     /// The window of that many cells for a grid of that ratio `σ`.
-    pub(super) fn new(width: usize, ratio: f64) -> Self {
+    pub(crate) fn new(width: usize, ratio: f64) -> Self {
         let cutoff = PI * width as f64 * (1.0 - 0.5 / ratio);
         let beta = (cutoff * cutoff - 0.8 * PI * PI).sqrt();
         Self { width, beta, peak: bessel_i0(beta) }
@@ -67,7 +67,7 @@ impl Window {
     }
 
     /// `φ̂(ν)`, `ν` in cycles per cell, below the cutoff.
-    pub(super) fn transform(&self, nu: f64) -> f64 {
+    pub(crate) fn transform(&self, nu: f64) -> f64 {
         let s = (self.beta.powi(2) - (PI * self.width as f64 * nu).powi(2)).sqrt();
         self.width as f64 * s.sinh() / (s * self.peak)
     }

@@ -8,7 +8,7 @@ mod turn;
 
 use crate::engine::real::Real;
 use pulp::{Arch, NullaryFnOnce};
-pub(super) use pulp::{Simd, WithSimd as Task};
+pub(crate) use pulp::{Simd, WithSimd as Task};
 pub(super) use turn::Turn;
 
 /// How products are added.
@@ -45,7 +45,7 @@ pub(crate) fn vectorised(task: impl Loop) {
 
 /// Runs a task with the widest vectors of this processor. Its `with_simd` must be `#[inline(always)]`, and what it calls
 /// too.
-pub(super) fn with_vectors<T: Task>(task: T) -> T::Output {
+pub(crate) fn with_vectors<T: Task>(task: T) -> T::Output {
     Arch::new().dispatch(task)
 }
 
