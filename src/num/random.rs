@@ -4,7 +4,7 @@
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// The finaliser of SplitMix64, a bijection.
-#[inline]
+#[inline(always)]
 fn mix(z: u64) -> u64 {
     let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -25,13 +25,13 @@ pub fn bits(seed: u64, index: u64, dimension: u32) -> u64 {
 ///
 /// For inner loops: a key is made once, by [`bits`] of seed and dimension, and the words of its stream are as good as
 /// those of the generator, which passes the usual batteries of tests.
-#[inline]
+#[inline(always)]
 pub fn word(key: u64, index: u64) -> u64 {
     mix(key.wrapping_add(index.wrapping_add(1).wrapping_mul(GOLDEN)))
 }
 
 /// The 53 high bits of a word as a number from `[0, 1)`.
-#[inline]
+#[inline(always)]
 pub fn unit(word: u64) -> f64 {
     const ULP: f64 = 1.0 / (1u64 << 53) as f64;
     (word >> 11) as f64 * ULP

@@ -59,7 +59,7 @@ pub(crate) fn nested_binary(digits: u32, key: u64) -> u64 {
 
 /// The scrambled digits of a number whose last one is `one`, from those of its parent, the same number without that one:
 /// the parent's as far as there, the one flipped, and behind it those of the chain that begins there.
-#[inline]
+#[inline(always)]
 pub(crate) fn behind_one(parent: u64, one: u32, chain: u64) -> u64 {
     let one = u64::from(one) << 32;
     let behind = one - 1;

@@ -1,5 +1,6 @@
 //! Sobol's sequence.
 
+use crate::engine::simd::{Loop, vectorised};
 use crate::error::{Result, within};
 use crate::num::random;
 use crate::pattern::directions::{COLUMNS, DIMENSIONS};
@@ -117,26 +118,73 @@ fn each<const D: usize>(count: usize, coordinate: impl Fn(u32, usize) -> f64) ->
 /// The matrices are triangular: the indices `2^k ≤ i < 2^{k+1}` are those whose last one is the digit `k`. The parent of
 /// each of them in the tree of scrambled numbers is a point of lower index, which is there already.
 fn nested<const D: usize>(count: usize, keys: [u64; D]) -> Vec<[f64; D]> {
-    let low: [[u32; D]; CHUNK] = first();
-    let start = low[..count.min(CHUNK)].iter();
-    let mut words: Vec<[u64; D]> = start.map(|low| std::array::from_fn(|d| nested_binary(low[d], keys[d]))).collect();
-    words.resize(count, [0; D]);
-    for k in CHUNK.ilog2()..count.next_power_of_two().ilog2() {
-        let (size, one) = (1 << k, (1 << 31) >> k);
-        let (done, new) = words[..count.min(2 * size)].split_at_mut(size);
+    let mut points = vec![[0.0; D]; count.next_multiple_of(CHUNK)];
+    // until they become points, the words of each coordinate of a chunk stand side by side
+    let words: &mut [u64] = bytemuck::cast_slice_mut(points.as_flattened_mut());
+    let chunks = words.as_chunks_mut::<CHUNK>().0.as_chunks_mut::<D>().0;
+    let first: [[u32; D]; CHUNK] = first();
+    let low: [[u32; CHUNK]; D] = std::array::from_fn(|d| first.map(|low| low[d]));
+    chunks[0] = std::array::from_fn(|d| low[d].map(|low| nested_binary(low, keys[d])));
+    let mut size = 1;
+    while size < chunks.len() {
+        let (done, new) = chunks.split_at_mut(size);
+        let count = new.len().min(size);
+        vectorised(Children { low: &low, keys, done, new: &mut new[..count] });
+        size *= 2;
+    }
+    vectorised(Woven(chunks));
+    points.truncate(count);
+    points
+}
+
+/// Words of points, coordinate by coordinate.
+type Chunk<const D: usize> = [[u64; CHUNK]; D];
+
+/// The scrambled digits of as many new points as are done, or fewer.
+struct Children<'a, const D: usize> {
+    low: &'a [[u32; CHUNK]; D],
+    keys: [u64; D],
+    done: &'a [Chunk<D>],
+    new: &'a mut [Chunk<D>],
+}
+
+impl<const D: usize> Loop for Children<'_, D> {
+    #[inline(always)]
+    fn run(self) {
+        let size = self.done.len() * CHUNK;
+        let k = size.ilog2();
         let turns: [usize; D] = std::array::from_fn(|d| single(k, d) as usize ^ size);
-        for (chunk, start) in new.chunks_mut(CHUNK).zip((0..).step_by(CHUNK)) {
-            for (d, (turn, key)) in turns.into_iter().zip(keys).enumerate() {
-                let high = digits((size + start) as u32, d);
-                let parents = &done[(start ^ turn) & !(CHUNK - 1)..][..CHUNK];
-                for (j, (word, low)) in chunk.iter_mut().zip(&low).enumerate() {
-                    let parent = parents[(j ^ turn) % CHUNK][d];
-                    word[d] = behind_one(parent, one, random::word(key, (high ^ low[d]).into()));
+        for (i, chunk) in self.new.iter_mut().enumerate() {
+            for (d, words) in chunk.iter_mut().enumerate() {
+                let high = digits((size + i * CHUNK) as u32, d);
+                let (key, turn) = (self.keys[d], turns[d]);
+                let parents = &self.done[i ^ (turn / CHUNK)][d];
+                // in the order of the children, which has vectors
+                let parents: [u64; CHUNK] = std::array::from_fn(|j| parents[(j ^ turn) % CHUNK]);
+                for ((word, parent), low) in words.iter_mut().zip(parents).zip(&self.low[d]) {
+                    *word = behind_one(parent, (1 << 31) >> k, random::word(key, (high ^ low).into()));
                 }
             }
         }
     }
-    words.into_iter().map(|point| point.map(random::unit)).collect()
+}
+
+/// Words become the bits of numbers from `[0, 1)`, and points.
+struct Woven<'a, const D: usize>(&'a mut [Chunk<D>]);
+
+impl<const D: usize> Loop for Woven<'_, D> {
+    #[inline(always)]
+    fn run(self) {
+        for chunk in self.0 {
+            let words = *chunk;
+            let points = chunk.as_flattened_mut().as_chunks_mut::<D>().0;
+            for (j, point) in points.iter_mut().enumerate() {
+                for d in 0..D {
+                    point[d] = random::unit(words[d][j]).to_bits();
+                }
+            }
+        }
+    }
 }
 
 /// The index whose only digit that is a one is number `place`: a column of the inverse of the matrix, from below.
