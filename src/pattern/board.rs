@@ -14,8 +14,7 @@ pub(crate) struct Board {
     torus: bool,
     points: Vec<[f64; 2]>,
     /// The point of each cell, infinitely far away if there is none.
-    xs: Vec<f64>,
-    ys: Vec<f64>,
+    cells: Vec<[f64; 2]>,
     /// Which sixty-fourths of each cell some disk covers whole, a bit each, by rows.
     covered: Vec<u64>,
 }
@@ -32,24 +31,15 @@ const READ: usize = AROUND + 1;
 pub(crate) const PARTS: u32 = 8;
 
 /// How many darts are looked at together, so that memory need not be waited for one after the other.
-const BATCH: usize = 64;
+pub(crate) const BATCH: usize = 64;
 
 impl Board {
     pub(crate) fn new(radius: f64, torus: bool) -> Self {
         let side = (2f64.sqrt() / radius).ceil() as u32;
         let width = (side + 2 * MARGIN) as usize;
-        let nowhere = vec![f64::INFINITY; width * width + READ - AROUND];
+        let cells = vec![[f64::INFINITY; 2]; width * width + READ - AROUND];
         let covered = vec![0; width * (width + AROUND)];
-        Self {
-            side,
-            width,
-            squared: radius * radius,
-            torus,
-            points: Vec::new(),
-            xs: nowhere.clone(),
-            ys: nowhere,
-            covered,
-        }
+        Self { side, width, squared: radius * radius, torus, points: Vec::new(), cells, covered }
     }
 
     /// How many cells there are along a side.
@@ -76,14 +66,15 @@ impl Board {
         at + MARGIN as usize * (self.width + 1)
     }
 
-    /// Throws darts at places, in their order; those that hit no disk become points.
+    /// Throws darts at places, in their order; those that hit no disk become points. `aim` says where those go whose numbers
+    /// begin with the one given.
     ///
-    /// A batch is looked at in three passes of independent loads, none of which waits for another's.
-    pub(crate) fn throw(&mut self, darts: u64, place: impl Fn(u64) -> [f64; 2]) {
+    /// A batch is looked at in passes of independent loads, none of which waits for another's.
+    pub(crate) fn throw(&mut self, darts: u64, aim: impl Fn(u64, &mut [[f64; 2]])) {
         for first in (0..darts).step_by(BATCH) {
             let count = (darts - first).min(BATCH as u64) as usize;
             let mut places = [[0.0; 2]; BATCH];
-            (first..).zip(&mut places[..count]).for_each(|(dart, at)| *at = place(dart));
+            aim(first, &mut places[..count]);
             let mut open = 0;
             for dart in 0..count {
                 let place = places[dart];
@@ -113,28 +104,22 @@ impl Board {
     }
 
     /// The points around a cell: five rows, the middle ones first, which tell most darts that miss.
-    fn around(&self, cell: [u32; 2]) -> impl Iterator<Item = (&[f64; READ], &[f64; READ])> {
-        fn read(all: &[f64], from: usize) -> &[f64; READ] {
-            all[from..].first_chunk().expect("there is a margin around every cell")
-        }
+    fn around(&self, cell: [u32; 2]) -> impl Iterator<Item = &[[f64; 2]; READ]> {
         let start = self.start(cell);
-        [2, 1, 3, 0, 4].into_iter().map(move |row| {
-            let from = start + row * self.width;
-            (read(&self.xs, from), read(&self.ys, from))
-        })
+        let row = move |row| self.cells[start + row * self.width..].first_chunk();
+        [2, 1, 3, 0, 4].into_iter().map(move |i| row(i).expect("there is a margin around every cell"))
     }
 
     /// The first and the last number of every row around a place, added.
     fn ends_of_rows(&self, place: [f64; 2]) -> f64 {
-        let ends = |row: &[f64; READ]| row[0] + row[READ - 1];
-        self.around(self.part(place, 1)).map(|(xs, ys)| ends(xs) + ends(ys)).fold(0.0, |a, b| a + b)
+        self.around(self.part(place, 1)).map(|row| row[0][0] + row[READ - 1][0]).fold(0.0, |a, b| a + b)
     }
 
     /// Whether a place is at least the radius away from all points.
     fn is_free(&self, [x, y]: [f64; 2]) -> bool {
-        self.around(self.part([x, y], 1)).all(|(xs, ys)| {
-            let too_near = |(px, py): (&f64, &f64)| (px - x) * (px - x) + (py - y) * (py - y) < self.squared;
-            !xs.iter().zip(ys).fold(false, |any, point| any | too_near(point))
+        self.around(self.part([x, y], 1)).all(|row| {
+            let too_near = |[px, py]: &[f64; 2]| (px - x) * (px - x) + (py - y) * (py - y) < self.squared;
+            !row.iter().fold(false, |any, point| any | too_near(point))
         })
     }
 
@@ -151,7 +136,7 @@ impl Board {
                 let [x, y] = [(cell[0], u), (cell[1], v)].map(|(c, turn)| i64::from(c + MARGIN) + turn * side);
                 if (0..width).contains(&x) && (0..width).contains(&y) {
                     let at = (y * width + x) as usize;
-                    (self.xs[at], self.ys[at]) = (place[0] + u as f64, place[1] + v as f64);
+                    self.cells[at] = [place[0] + u as f64, place[1] + v as f64];
                     self.cover(at, step);
                 }
             }
@@ -207,12 +192,12 @@ impl Board {
     /// the farthest corner.
     fn farthest(&self, cell: [u32; 2], [x, y]: [f64; 2], quarter: f64) -> [f64; 4] {
         let mut least = [[f64::INFINITY; READ]; 4];
-        for (xs, ys) in self.around(cell) {
+        for row in self.around(cell) {
             let far = |distance: f64| (distance.abs() + 0.5 * quarter) * (distance.abs() + 0.5 * quarter);
             let both = |c: f64| [far(c + 0.5 * quarter), far(c - 0.5 * quarter)];
             let [a, b, c, d] = &mut least;
             for i in 0..READ {
-                let ([left, right], [below, above]) = (both(xs[i] - x), both(ys[i] - y));
+                let ([left, right], [below, above]) = (both(row[i][0] - x), both(row[i][1] - y));
                 a[i] = lesser(left + below, a[i]);
                 b[i] = lesser(right + below, b[i]);
                 c[i] = lesser(left + above, c[i]);

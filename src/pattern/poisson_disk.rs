@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result, within};
 use crate::num::random::{below, bits, unit, word};
-use crate::pattern::board::{Board, PARTS};
+use crate::pattern::board::{BATCH, Board, PARTS};
 use crate::pattern::{Pattern, countable};
 
 /// Points uniform over the square on the condition that no two are nearer than `radius`: dart throwing (Dippé and Wold
@@ -108,7 +108,9 @@ impl Pattern<2> for PoissonDisk {
         let mut board = Board::new(self.radius, self.torus);
         let key = bits(seed, 0, 0);
         let cells = u64::from(board.side()).pow(2);
-        board.throw(FIRST * cells / 2, |dart| [0, 1].map(|d| unit(word(key, 2 * dart + d))));
+        board.throw(FIRST * cells / 2, |first, places| {
+            (first..).zip(places).for_each(|(dart, at)| *at = [0, 1].map(|d| unit(word(key, 2 * dart + d))));
+        });
         let mut parts = board.open();
         for round in 0..self.rounds {
             if parts.is_empty() {
@@ -116,10 +118,16 @@ impl Pattern<2> for PoissonDisk {
             }
             let key = bits(seed, 1 + u64::from(round), 0);
             let part = 1.0 / (f64::from(PARTS * board.side()) * f64::from(1u32 << round));
-            board.throw(parts.len().div_ceil(2) as u64, |dart| {
-                let [pick, x, y] = [0, 1, 2].map(|k| word(key, 3 * dart + k));
-                let corner = parts[below(pick, parts.len() as u64) as usize].map(f64::from);
-                [(corner[0] + unit(x)) * part, (corner[1] + unit(y)) * part]
+            board.throw(parts.len().div_ceil(2) as u64, |first, places| {
+                // parts are picked for all of them first: memory is waited for once
+                let mut corners = [[0; 2]; BATCH];
+                let last = first + places.len() as u64;
+                let pick = |dart| below(word(key, 3 * dart), parts.len() as u64) as usize;
+                corners.iter_mut().zip(first..last).for_each(|(corner, dart)| *corner = parts[pick(dart)]);
+                for ((at, dart), corner) in places.iter_mut().zip(first..last).zip(corners) {
+                    let within = [1, 2].map(|k| unit(word(key, 3 * dart + k)));
+                    *at = [0, 1].map(|d| (f64::from(corner[d]) + within[d]) * part);
+                }
             });
             parts = board.quarters(&parts, round);
         }
