@@ -25,8 +25,8 @@
 //!
 //! Delay is compensated: the filter is symmetric, and output `m` stands for the time `m/R` exactly. Of `n` samples there
 //! come `round(n·R/R₀)`. Before and after the record there is silence. What is given stays behind what was taken by less
-//! than a window ([`Converter::delay`]: 0.4 s for `best` at 44.1 kHz, 0.05 s for `fast`). Channels do not meet: each has
-//! transforms of its own, or a loud one would leave its rounding in a silent one.
+//! than a window ([`Converter::delay`]: 0.4 s for `best` at 44.1 kHz, 0.5 where the ratio is not one of whole numbers, 0.05
+//! for `fast`). Channels do not meet: each has transforms of its own, or a loud one would leave its rounding in a silent one.
 //!
 //! The bits do not depend on how the input is cut into blocks, nor on the number of threads, on which windows are converted
 //! side by side; nor on the processor, unless the fastest butterflies are asked for ([`Converter::with`]). Numbers of 32

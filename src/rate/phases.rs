@@ -30,7 +30,7 @@ impl<T: Real> Phases<T> {
         let taps = Taps::<T>::new(window, allowed);
         let (width, piece) = (taps.width(), taps.rows().len() >> PIECE_BITS);
         let missing = POWERS.checked_sub(piece / width).expect("the tolerances of both windows need no more");
-        let mut rows = vec![T::zero(); (POWERS * TAPS << PIECE_BITS) + WIDEST / size_of::<T>()];
+        let mut rows = vec![T::zero(); ((POWERS * TAPS) << PIECE_BITS) + WIDEST / size_of::<T>()];
         let first = rows.as_ptr().align_offset(WIDEST).min(WIDEST / size_of::<T>());
         for (rows, taps) in rows[first..].chunks_exact_mut(POWERS * TAPS).zip(taps.rows().chunks_exact(piece)) {
             for (row, taps) in rows.chunks_exact_mut(TAPS).skip(missing).zip(taps.chunks_exact(width)) {
