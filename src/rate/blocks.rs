@@ -177,7 +177,7 @@ impl Design {
     pub(super) fn oversampled(over: Oversampling, ratio: Ratio, quality: Quality) -> Self {
         let part = (1.0 / ratio.value()).floor().max(1.0) as usize;
         let (up, down) =
-            if part % over.up == 0 { (1, over.down * (part / over.up)) } else { (over.up, over.down * part) };
+            if part.is_multiple_of(over.up) { (1, over.down * (part / over.up)) } else { (over.up, over.down * part) };
         let scale = ratio.value().min(1.0) / (up as f64 / down as f64).min(1.0);
         Self::new(up, down, scale, quality, Some(over))
     }
