@@ -1,5 +1,6 @@
 //! The numbers that engines compute with.
 
+use crate::engine::simd::Lanes;
 use std::ops::{AddAssign, MulAssign, SubAssign};
 
 mod sealed {
@@ -18,7 +19,7 @@ pub trait Real:
     + MulAssign
     + Default
     + std::fmt::Debug
-    + bytemuck::Pod
+    + Lanes
     + Send
     + Sync
     + sealed::Sealed

@@ -3,7 +3,7 @@
 use crate::engine::Arithmetic;
 use crate::engine::nonuniform::{PIECE_BITS, Taps, Window};
 use crate::engine::real::Real;
-use crate::engine::simd::{Lanes, Simd, Task, with_vectors};
+use crate::engine::simd::{Simd, Task, with_vectors};
 use crate::rate::time::Time;
 use bytemuck::{cast_slice, cast_slice_mut};
 
@@ -65,7 +65,7 @@ struct Values<'a, T> {
     out: &'a mut [T],
 }
 
-impl<T: Lanes> Task for Values<'_, T> {
+impl<T: Real> Task for Values<'_, T> {
     type Output = bool;
 
     #[inline(always)]
@@ -81,7 +81,7 @@ impl<T: Lanes> Task for Values<'_, T> {
 #[repr(align(64))]
 struct Row<T>([T; TAPS]);
 
-impl<T: Lanes> Values<'_, T> {
+impl<T: Real> Values<'_, T> {
     #[inline(always)]
     fn all<S: Simd, const FUSED: bool>(self, simd: S) -> bool {
         let Self { rows, lines, length, mut time, step, out, .. } = self;

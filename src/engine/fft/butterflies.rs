@@ -1,5 +1,6 @@
 //! Transforms that fit into a cache: the only place that knows rustfft.
 
+use crate::engine::fft::vectors::{InTurn, InTurnTo, Passes};
 use crate::engine::real::Real;
 use num_complex::Complex;
 use rustfft::{Fft, FftPlanner, FftPlannerScalar};
@@ -18,45 +19,69 @@ pub enum Butterflies {
 
 /// The plain sum of one length, in place. (The inverse is the conjugate of the forward sum of conjugates, which costs
 /// nothing where numbers are read and written anyway.)
-pub(super) struct Short<T>(Arc<dyn Fft<T>>);
+pub(super) enum Short<T> {
+    /// As rustfft plans it.
+    Planned(Arc<dyn Fft<T>>),
+    /// In passes of vectors.
+    Passes(Passes<T>),
+}
 
 impl<T: Real> Short<T> {
     /// `X_k = Σ_j x_j e^{−2πijk/n}`.
     pub(super) fn new(n: usize, butterflies: Butterflies) -> Self {
-        Self(match butterflies {
-            Butterflies::Scalar => FftPlannerScalar::new().plan_fft_forward(n),
-            Butterflies::Fastest => FftPlanner::new().plan_fft_forward(n),
-        })
+        match (butterflies, Passes::new(n)) {
+            (Butterflies::Scalar, _) => Self::Planned(FftPlannerScalar::new().plan_fft_forward(n)),
+            (Butterflies::Fastest, Some(passes)) => Self::Passes(passes),
+            (Butterflies::Fastest, None) => Self::Planned(FftPlanner::new().plan_fft_forward(n)),
+        }
     }
 
     /// How many numbers.
     pub(super) fn len(&self) -> usize {
-        self.0.len()
+        match self {
+            Self::Planned(fft) => fft.len(),
+            Self::Passes(passes) => passes.len(),
+        }
     }
 
     /// How much room [`run`](Self::run) needs.
     pub(super) fn room(&self) -> usize {
-        self.0.get_inplace_scratch_len()
+        match self {
+            Self::Planned(fft) => fft.get_inplace_scratch_len(),
+            Self::Passes(passes) => passes.room(),
+        }
     }
 
     /// The transform; what is left in `room` may be anything.
     pub(super) fn run(&self, values: &mut [Complex<T>], room: &mut [Complex<T>]) {
-        self.0.process_with_scratch(values, room);
+        match self {
+            Self::Planned(fft) => fft.process_with_scratch(values, room),
+            Self::Passes(passes) => {
+                passes.begin(InTurn(values), room);
+                passes.end(InTurnTo(values), room);
+            }
+        }
     }
 
     /// How much room [`run_beside`](Self::run_beside) needs.
     pub(super) fn room_beside(&self) -> usize {
-        self.0.get_immutable_scratch_len()
+        match self {
+            Self::Planned(fft) => fft.get_immutable_scratch_len(),
+            Self::Passes(passes) => passes.room(),
+        }
     }
 
     /// The transform of what another place has.
     pub(super) fn run_beside(&self, values: &[Complex<T>], out: &mut [Complex<T>], room: &mut [Complex<T>]) {
-        self.0.process_immutable_with_scratch(values, out, room);
+        match self {
+            Self::Planned(fft) => fft.process_immutable_with_scratch(values, out, room),
+            Self::Passes(passes) => passes.run(InTurn(values), InTurnTo(out), room),
+        }
     }
 }
 
 impl<T> fmt::Debug for Short<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Short({})", self.0.len())
+        f.write_str(if matches!(self, Self::Planned(_)) { "Planned" } else { "Passes" })
     }
 }

@@ -56,6 +56,7 @@ mod roots;
 mod rows;
 mod standing;
 mod streams;
+mod vectors;
 
 pub use butterflies::Butterflies;
 pub use complex::Fft;

@@ -1,5 +1,6 @@
 //! Room to work in, kept by a plan.
 
+use crate::engine::fft::vectors::line_start;
 use num_complex::Complex;
 use std::fmt;
 use std::sync::{Mutex, PoisonError};
@@ -7,19 +8,23 @@ use std::sync::{Mutex, PoisonError};
 /// Buffers that are lent and taken back: a plan allocates in its first call on every thread, and no more.
 pub(crate) struct Pool<T>(Mutex<Vec<Vec<Complex<T>>>>);
 
+/// More than a line of the cache has.
+const SPARE: usize = 8;
+
 impl<T: Copy + Default> Pool<T> {
     pub(crate) fn new() -> Self {
         Self(Mutex::new(Vec::new()))
     }
 
-    /// `f` with room for `len` numbers, whatever they are.
+    /// `f` with room for `len` numbers, whatever they are, from the start of a line of the cache on.
     pub(crate) fn lend<R>(&self, len: usize, f: impl FnOnce(&mut [Complex<T>]) -> R) -> R {
         let free = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let mut room = free().pop().unwrap_or_default();
-        if room.len() < len {
-            room.resize(len, Complex::default());
+        if room.len() < len + SPARE {
+            room.resize(len + SPARE, Complex::default());
         }
-        let result = f(&mut room[..len]);
+        let start = line_start(&room);
+        let result = f(&mut room[start..start + len]);
         free().push(room);
         result
     }

@@ -1,5 +1,6 @@
 //! How numbers stand in an image.
 
+use crate::engine::real::Real;
 use crate::engine::resize::sums::LEAST;
 use crate::engine::simd::{Lanes, Simd};
 
@@ -10,7 +11,7 @@ use crate::engine::simd::{Lanes, Simd};
 /// to the first or the last if they lie beyond.
 pub trait Code: Copy + Send + Sync + 'static {
     /// What sums are made in.
-    type Sum: Lanes + Code<Sum = Self::Sum>;
+    type Sum: Real + Code<Sum = Self::Sum>;
 
     #[doc(hidden)]
     fn widen(from: &[Self], to: &mut [Self::Sum]);

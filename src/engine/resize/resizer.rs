@@ -7,7 +7,8 @@ use crate::engine::resize::room::Rooms;
 use crate::engine::resize::strips::{Meaning, Themselves};
 use crate::engine::resize::taps::{Blocks, Taps};
 use crate::engine::resize::view::{Layout, View, ViewMut};
-use crate::engine::simd::{Arithmetic, Lanes};
+use crate::engine::real::Real;
+use crate::engine::simd::Arithmetic;
 use crate::error::{Error, Result};
 use crate::parallel;
 
@@ -38,7 +39,7 @@ pub struct Resizer<T> {
     rooms: Rooms<T>,
 }
 
-impl<T: Lanes> Resizer<T> {
+impl<T: Real> Resizer<T> {
     /// By the sums along both axes.
     pub fn new(across: Taps, down: Taps, arithmetic: Arithmetic) -> Self {
         let [width, height, new_width, new_height] =

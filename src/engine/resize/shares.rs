@@ -1,7 +1,8 @@
 //! Old rows, shared out to the new ones that read them: the sums of [`Sums`](crate::engine::resize::sums::Sums), in the
 //! order in which an image is read.
 
-use crate::engine::simd::{Lanes, Simd, Task};
+use crate::engine::real::Real;
+use crate::engine::simd::{Simd, Task};
 
 /// Old rows that are shared out at a time.
 pub(super) const TOGETHER: usize = 4;
@@ -26,7 +27,7 @@ pub(super) struct Shares<'a, T> {
     pub(super) stride: usize,
 }
 
-impl<T: Lanes> Task for Shares<'_, T> {
+impl<T: Real> Task for Shares<'_, T> {
     type Output = ();
 
     #[inline(always)]
@@ -41,7 +42,7 @@ impl<T: Lanes> Task for Shares<'_, T> {
     }
 }
 
-impl<T: Lanes> Shares<'_, T> {
+impl<T: Real> Shares<'_, T> {
     #[inline(always)]
     fn all<S: Simd, const FUSED: bool, const C: usize>(mut self, simd: S) {
         let lanes = size_of::<T::Vector<S>>() / size_of::<T>();

@@ -1,11 +1,12 @@
 //! Numbers of an image to numbers that sums are made of, and back.
 
+use crate::engine::real::Real;
 use crate::engine::resize::code::{Code, Direct};
-use crate::engine::simd::{Lanes, Loop};
+use crate::engine::simd::Loop;
 
 /// What the numbers of an image stand for. Implementations are `#[inline(always)]`.
 pub(super) trait Meaning<C>: Sync {
-    type Sum: Lanes + Code<Sum = Self::Sum>;
+    type Sum: Real + Code<Sum = Self::Sum>;
     /// What sums can be made of as it stands.
     type Line: Code<Sum = Self::Sum>;
     fn widen(&self, from: &[C], to: &mut [Self::Sum]);

@@ -4,12 +4,15 @@
 //! instructions. It never fuses a product and a sum, so the bits do not depend on the choice. A [`Task`] holds vectors in
 //! its hands, and may fuse where [`Arithmetic`] allows it.
 
+mod rearranged;
 mod turn;
+mod wide;
 
-use crate::engine::real::Real;
 use pulp::{Arch, NullaryFnOnce};
 pub(crate) use pulp::{Simd, WithSimd as Task};
+pub use rearranged::Order;
 pub(super) use turn::Turn;
+pub(super) use wide::{LANES, Wide, turned, unrolled};
 
 /// How products are added.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -50,9 +53,9 @@ pub(crate) fn with_vectors<T: Task>(task: T) -> T::Output {
 }
 
 /// Numbers that processors have vectors of.
-pub trait Lanes: Real {
+pub trait Lanes: bytemuck::Pod {
     /// A vector.
-    type Vector<S: Simd>: Copy;
+    type Vector<S: Simd>: bytemuck::Pod;
 
     /// The whole vectors in a slice.
     fn vectors<S: Simd>(values: &[Self]) -> &[Self::Vector<S>];
@@ -63,18 +66,33 @@ pub trait Lanes: Real {
     /// A vector of one number.
     fn splat<S: Simd>(simd: S, value: Self) -> Self::Vector<S>;
 
+    /// `a + b`.
+    fn plus<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>) -> Self::Vector<S>;
+
+    /// `a − b`.
+    fn minus<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>) -> Self::Vector<S>;
+
+    /// `a·b`.
+    fn product<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>) -> Self::Vector<S>;
+
     /// `a·b + sum`, rounded twice.
     fn add_product<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>, sum: Self::Vector<S>) -> Self::Vector<S>;
 
     /// `a·b + sum`, rounded once if the processor can.
     fn fuse_product<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>, sum: Self::Vector<S>) -> Self::Vector<S>;
 
+    /// `rest − a·b`, rounded once if the processor can.
+    fn fuse_less<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>, rest: Self::Vector<S>) -> Self::Vector<S>;
+
+    /// The numbers of two vectors in another order.
+    fn rearranged<S: Simd>(simd: S, both: [Self::Vector<S>; 2], order: Order) -> [Self::Vector<S>; 2];
+
     #[doc(hidden)]
     fn turn(turn: Turn<'_, Self>);
 }
 
 macro_rules! lanes {
-    ($real:ty, $vector:ident, $split:ident, $split_mut:ident, $splat:ident, $mul:ident, $add:ident, $fused:ident, $turn:path) => {
+    ($real:ty, $vector:ident, $split:ident, $split_mut:ident, $splat:ident, $mul:ident, $add:ident, $sub:ident, $fused:ident, $less:ident, $rearranged:path, $turn:path) => {
         impl Lanes for $real {
             type Vector<S: Simd> = S::$vector;
 
@@ -94,6 +112,21 @@ macro_rules! lanes {
             }
 
             #[inline(always)]
+            fn plus<S: Simd>(simd: S, a: S::$vector, b: S::$vector) -> S::$vector {
+                simd.$add(a, b)
+            }
+
+            #[inline(always)]
+            fn minus<S: Simd>(simd: S, a: S::$vector, b: S::$vector) -> S::$vector {
+                simd.$sub(a, b)
+            }
+
+            #[inline(always)]
+            fn product<S: Simd>(simd: S, a: S::$vector, b: S::$vector) -> S::$vector {
+                simd.$mul(a, b)
+            }
+
+            #[inline(always)]
             fn add_product<S: Simd>(simd: S, a: S::$vector, b: S::$vector, sum: S::$vector) -> S::$vector {
                 simd.$add(sum, simd.$mul(a, b))
             }
@@ -103,6 +136,16 @@ macro_rules! lanes {
                 simd.$fused(a, b, sum)
             }
 
+            #[inline(always)]
+            fn fuse_less<S: Simd>(simd: S, a: S::$vector, b: S::$vector, rest: S::$vector) -> S::$vector {
+                simd.$less(a, b, rest)
+            }
+
+            #[inline(always)]
+            fn rearranged<S: Simd>(simd: S, both: [S::$vector; 2], order: Order) -> [S::$vector; 2] {
+                $rearranged(simd, both, order)
+            }
+
             fn turn(turn: Turn<'_, Self>) {
                 $turn(turn);
             }
@@ -110,5 +153,11 @@ macro_rules! lanes {
     };
 }
 
-lanes!(f32, f32s, as_simd_f32s, as_mut_simd_f32s, splat_f32s, mul_f32s, add_f32s, mul_add_e_f32s, turn::turn_f32);
-lanes!(f64, f64s, as_simd_f64s, as_mut_simd_f64s, splat_f64s, mul_f64s, add_f64s, mul_add_e_f64s, vectorised);
+lanes!(
+    f32, f32s, as_simd_f32s, as_mut_simd_f32s, splat_f32s, mul_f32s, add_f32s, sub_f32s, mul_add_e_f32s,
+    negate_mul_add_e_f32s, rearranged::rearranged_f32, turn::turn_f32
+);
+lanes!(
+    f64, f64s, as_simd_f64s, as_mut_simd_f64s, splat_f64s, mul_f64s, add_f64s, sub_f64s, mul_add_e_f64s,
+    negate_mul_add_e_f64s, rearranged::rearranged_f64, vectorised
+);

@@ -1,6 +1,5 @@
 //! Rows to columns.
 
-use crate::engine::real::Real;
 use crate::engine::simd::Loop;
 
 /// Numbers on a side of the squares that are turned in registers.
@@ -25,7 +24,7 @@ pub struct Turn<'a, T> {
     pub to_stride: usize,
 }
 
-impl<T: Real> Turn<'_, T> {
+impl<T: Copy> Turn<'_, T> {
     /// By a way to turn one square.
     #[inline(always)]
     fn by(self, square: impl Fn([&[T; SQUARE]; SQUARE]) -> [[T; SQUARE]; SQUARE]) {
@@ -42,7 +41,7 @@ impl<T: Real> Turn<'_, T> {
     }
 }
 
-impl<T: Real> Loop for Turn<'_, T> {
+impl<T: Copy> Loop for Turn<'_, T> {
     #[inline(always)]
     fn run(self) {
         self.by(|square| std::array::from_fn(|i| std::array::from_fn(|j| square[j][i])));
