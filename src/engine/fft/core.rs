@@ -8,6 +8,7 @@ use crate::engine::fft::pool::Pool;
 use crate::engine::fft::radix::RADIX;
 use crate::engine::fft::rows::Source;
 use crate::engine::fft::streams::Streams;
+use crate::engine::fft::vectors::Passes;
 use crate::engine::real::Real;
 use crate::engine::simd::vectorised;
 use num_complex::Complex;
@@ -67,6 +68,17 @@ impl<T: Real> Core<T> {
         match &self.way {
             Way::Whole(short) => self.rooms.lend(short.room(), |room| short.run(numbers, room)),
             _ => unreachable!("only what is whole stands"),
+        }
+    }
+
+    /// `f` of its passes and the room that they need, if it is done in one piece and by them.
+    pub(super) fn in_passes(&self, f: impl FnOnce(&Passes<T>, &mut [Complex<T>])) -> bool {
+        match &self.way {
+            Way::Whole(Short::Passes(passes)) => {
+                self.rooms.lend(passes.room(), |room| f(passes, room));
+                true
+            }
+            _ => false,
         }
     }
 

@@ -9,8 +9,9 @@ use crate::engine::fft::real_fft::RealFft;
 use crate::engine::fft::roots::Turns;
 use crate::engine::fft::rows::{Line, Numbers, Source, WIDTH};
 use crate::engine::fft::standing::centre;
+use crate::engine::fft::vectors::{InTurn, InTurnTo, Number, Output};
 use crate::engine::real::Real;
-use crate::engine::simd::vectorised;
+use crate::engine::simd::{Simd, vectorised};
 use crate::error::Result;
 use crate::num::{cos_pi, sin_pi};
 use num_complex::Complex;
@@ -66,6 +67,11 @@ impl<T: Real> PhysicalFft<T> {
         let n = self.core.len();
         same(n, input.len())?;
         same(n, output.len())?;
+        if self.core.in_passes(|passes, room| {
+            passes.run(InTurn(input), CentredTo { bins: &mut *output, factors: &self.there }, room);
+        }) {
+            return Ok(());
+        }
         if n.is_multiple_of(2) && self.core.is_whole() {
             self.core.run_to(&Numbers(input), output);
             centre(output, &self.there);
@@ -88,6 +94,21 @@ impl<T: Real> PhysicalFft<T> {
         self.core.run_to(&Centred { bins: input, factors: &self.back }, output);
         output.iter_mut().for_each(|z| *z = z.conj());
         Ok(())
+    }
+}
+
+/// Bins in rising order, times their factors; of an even number, which is a multiple of twice a vector's.
+struct CentredTo<'a, T> {
+    bins: &'a mut [Complex<T>],
+    factors: &'a Turns<T>,
+}
+
+impl<T: Real> Output<T> for CentredTo<'_, T> {
+    #[inline(always)]
+    fn write<S: Simd>(&mut self, simd: S, at: usize, z: Number<T, S>) {
+        let middle = self.bins.len() / 2;
+        let place = if at < middle { at + middle } else { at - middle };
+        InTurnTo(self.bins).write(simd, place, z.times(self.factors.vector(simd, place)));
     }
 }
 

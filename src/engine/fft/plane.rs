@@ -8,6 +8,7 @@ use crate::engine::fft::physical::phase;
 use crate::engine::fft::plane_rows::{Apart, HermitianPart, ImageRows, Power, Spectrum, together};
 use crate::engine::fft::pool::Pool;
 use crate::engine::fft::roots::{Turns, rounded};
+use crate::engine::fft::vectors::Abreast;
 use crate::engine::real::Real;
 use crate::engine::simd::vectorised;
 use crate::error::Result;
@@ -48,6 +49,8 @@ pub struct PlaneFft<T> {
     grid: Grid,
     across: Short<T>,
     down: Short<T>,
+    /// The columns of images on the way there, if they are transformed side by side.
+    abreast: Option<Abreast<T>>,
     /// `Δx·e^{−2πiu_k·start}` at the frequencies of the dual axis.
     turns: Turns<T>,
     tiles: Pool<T>,
@@ -65,7 +68,11 @@ impl<T: Real> PlaneFft<T> {
         let (nx, x) = (grid.width(), grid.x());
         let (across, down) = (Short::new(nx, butterflies), Short::new(grid.height(), butterflies));
         let turns = Turns::new(nx, phase(-((nx / 2) as i64), x) * x.step(), |k| phase(k as i64, x));
-        Self { grid, across, down, turns, tiles: Pool::new(), rooms: Pool::new() }
+        let abreast = match butterflies {
+            Butterflies::Scalar => None,
+            Butterflies::Fastest => Abreast::new(nx, grid.height()),
+        };
+        Self { grid, across, down, abreast, turns, tiles: Pool::new(), rooms: Pool::new() }
     }
 
     /// The power spectrum `|F|²/area`, whose sum times the area of a bin is the mean square of the image (Parseval).
@@ -159,14 +166,23 @@ impl<T: Real> PlaneFft<T> {
         let there = there.chain(std::iter::repeat_with(|| None));
         let mut rows: Vec<_> = here.zip(there).take(kept).collect();
         self.tiles.lend(kept * nx, |tiles| {
-            transform_columns::<T, Pairs>(&self.down, nx, &ImageRows { image, width: nx }, tiles, &self.rooms);
+            match &self.abreast {
+                Some(columns) => columns.transform(image, tiles, &self.rooms),
+                None => {
+                    let rows = ImageRows { image, width: nx };
+                    transform_columns::<T, Pairs>(&self.down, nx, &rows, tiles, &self.rooms);
+                }
+            }
             let tiles = &*tiles;
             parallel::chunks(&mut rows, TOGETHER, |chunk, rows| {
                 self.rooms.lend(nx + self.across.room(), |work| {
                     let (row, room) = work.split_at_mut(nx);
                     for (i, (here, there)) in rows.iter_mut().enumerate() {
                         let l = TOGETHER * chunk + i;
-                        gather_row(tiles, kept, 2 * block::<T>(), l, row);
+                        match &self.abreast {
+                            Some(columns) => columns.row(tiles, l, row),
+                            None => gather_row(tiles, kept, 2 * block::<T>(), l, row),
+                        }
                         self.across.run(row, room);
                         f(l, row, here.as_deref_mut(), there.as_deref_mut());
                     }

@@ -110,7 +110,7 @@ impl<T: Real> Passes<T> {
 
 /// The radices after the first: odd ones, a four or a sixteen where eights alone do not do, eights.
 fn radices(n: usize) -> Option<Vec<usize>> {
-    if n == 0 || !n.is_multiple_of(FIRST * FIRST) {
+    if n <= FIRST * FIRST || !n.is_multiple_of(FIRST * FIRST) {
         return None;
     }
     let twos = n.trailing_zeros() as usize;
