@@ -13,6 +13,9 @@ use num_complex::Complex;
 /// How many real columns are transformed side by side, two as one complex.
 pub(in crate::engine::fft) const ABREAST: usize = 2 * LANES;
 
+/// Bytes of a row of an image that are read at a time: each row is on another page, whose address must be looked up.
+const GATHERED: usize = 1024;
+
 const ROOTS: &str = "a stage has as many roots as points";
 
 /// Transforms of the real columns of an image, where they stand: row `j` of a group of columns is a block, its first half
@@ -75,15 +78,21 @@ impl<T: Real> Abreast<T> {
         let width = image.len() / self.height;
         // rows apart by what takes a power of two off the sets of a cache
         let rows = self.height + self.first.radix;
-        parallel::chunks(tiles, ABREAST * (self.height / 2 + 1), |group, tile| {
-            pool.lend(LANES * rows, |room| {
-                let rows: &mut [Block<T>] = bytemuck::cast_slice_mut(room);
+        let (groups, tile) = (GATHERED / (ABREAST * size_of::<T>()), ABREAST * (self.height / 2 + 1));
+        parallel::chunks(tiles, groups * tile, |number, tiles| {
+            let count = tiles.len() / tile;
+            pool.lend(count * LANES * rows, |room| {
                 let part = self.height / self.first.radix;
+                let room: &mut [Block<T>] = bytemuck::cast_slice_mut(room);
                 for (j, row) in image.chunks_exact(width).enumerate() {
-                    let pixels = &row[group * ABREAST..][..ABREAST];
-                    rows[j + j / part].as_flattened_mut().copy_from_slice(pixels);
+                    let pixels = row[number * groups * ABREAST..].chunks_exact(ABREAST);
+                    for (rows, pixels) in room.chunks_exact_mut(rows).zip(pixels) {
+                        rows[j + j / part].as_flattened_mut().copy_from_slice(pixels);
+                    }
                 }
-                with_vectors(Columns { abreast: self, rows, tile: bytemuck::cast_slice_mut(tile) });
+                for (rows, tile) in room.chunks_exact_mut(rows).zip(tiles.chunks_exact_mut(tile)) {
+                    with_vectors(Columns { abreast: self, rows, tile: bytemuck::cast_slice_mut(tile) });
+                }
             });
         });
     }
