@@ -13,9 +13,10 @@ fn grid(nx: usize, ny: usize) -> Grid {
 
 #[test]
 fn spectra_and_power_spectra_are_the_direct_sums() {
-    for (nx, ny) in
-        [(1, 1), (1, 6), (5, 1), (2, 2), (7, 9), (8, 9), (9, 8), (16, 20), (33, 12), (35, 37), (64, 33), (70, 18)]
-    {
+    let small = [(1, 1), (1, 6), (5, 1), (2, 2), (7, 9), (8, 9), (9, 8), (16, 20), (33, 12), (35, 37), (64, 33), (70, 18)];
+    // columns side by side: odd and even heights, one stage and several, one group of columns and several
+    let abreast = [(32, 2), (32, 7), (64, 24), (96, 15), (32, 48), (32, 70)];
+    for (nx, ny) in small.into_iter().chain(abreast) {
         let grid = grid(nx, ny);
         let image = noise(nx * ny, 6);
         let plan = PlaneFft::new(grid);
@@ -62,7 +63,12 @@ fn single_precision_errs_by_its_own_rounding() {
 
 #[test]
 fn the_bits_are_those_of_any_number_of_threads() {
-    let grid = grid(210, 131);
+    for (width, height) in [(210, 131), (320, 96)] {
+        same_on_any_number_of_threads(grid(width, height));
+    }
+}
+
+fn same_on_any_number_of_threads(grid: Grid) {
     let image = noise(grid.len(), 8);
     let all = || {
         let plan = PlaneFft::new(grid);

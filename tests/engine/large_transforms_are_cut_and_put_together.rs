@@ -6,8 +6,9 @@ use nyquist::axis::Axis;
 use nyquist::engine::fft::{Butterflies, Fft, PhysicalFft, PhysicalRealFft, RealFft};
 
 /// A power of two, one with other factors, rows of odd length, a prime, twice a prime, an odd length in one piece, and an
-/// even one that is no multiple of a block, with more factors than stand in a table.
-const LENGTHS: [usize; 7] = [1 << 18, 3 << 16, 131_184, 131_101, 262_202, 177_147, 44_100];
+/// even one that is no multiple of a block, with more factors than stand in a table; and such that vectors pass over: a
+/// power of two, and one with every other factor there is, also as half as many complex numbers.
+const LENGTHS: [usize; 9] = [1 << 18, 3 << 16, 131_184, 131_101, 262_202, 177_147, 44_100, 1 << 11, 53_760];
 
 /// Errors of single frequencies are like random numbers whose deviation is what the whole may have on the average: six of
 /// them.

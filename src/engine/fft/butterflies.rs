@@ -1,4 +1,4 @@
-//! Transforms that fit into a cache: the only place that knows rustfft.
+//! Transforms that fit into a cache: our own where they are faster, and the only place that knows rustfft.
 
 use crate::engine::fft::vectors::{InTurn, InTurnTo, Passes};
 use crate::engine::real::Real;
@@ -12,7 +12,7 @@ use std::sync::Arc;
 pub enum Butterflies {
     /// Plain arithmetic: the same bits on every processor.
     Scalar,
-    /// Whatever is fastest on this processor (AVX, SSE, NEON); the last bits depend on which that is.
+    /// Whatever is fastest on this processor (AVX-512, AVX, SSE, NEON); the last bits depend on which that is.
     #[default]
     Fastest,
 }

@@ -8,7 +8,6 @@ use crate::engine::fft::pool::Pool;
 use crate::engine::fft::radix::RADIX;
 use crate::engine::fft::rows::Source;
 use crate::engine::fft::streams::Streams;
-use crate::engine::fft::vectors::Passes;
 use crate::engine::real::Real;
 use crate::engine::simd::vectorised;
 use num_complex::Complex;
@@ -71,15 +70,9 @@ impl<T: Real> Core<T> {
         }
     }
 
-    /// `f` of its passes and the room that they need, if it is done in one piece and by them.
-    pub(super) fn in_passes(&self, f: impl FnOnce(&Passes<T>, &mut [Complex<T>])) -> bool {
-        match &self.way {
-            Way::Whole(Short::Passes(passes)) => {
-                self.rooms.lend(passes.room(), |room| f(passes, room));
-                true
-            }
-            _ => false,
-        }
+    /// Whether it is done in one piece and in passes of vectors.
+    pub(super) fn has_passes(&self) -> bool {
+        matches!(self.way, Way::Whole(Short::Passes(_)))
     }
 
     /// Whether it has all frequencies, not only those that were wanted.

@@ -7,7 +7,10 @@
 //! | [`PhysicalFft`], [`PhysicalRealFft`] | samples on an [`Axis`](crate::axis::Axis) to samples of `F(ν)`: step, phase of the start, rising frequencies |
 //! | [`PlaneFft`] | images on a [`Grid`](crate::grid::Grid) to spectra and power spectra, and back |
 //!
-//! The butterflies are rustfft's, in pieces that fit into a cache. Around them:
+//! The butterflies of [`Butterflies::Scalar`] are rustfft's, in pieces that fit into a cache. Those of
+//! [`Butterflies::Fastest`] are our own for multiples of 256 above it that have no prime factors but 2, 3, 5 and 7, and for
+//! columns of images 32·`k` wide and as smooth in height: vectors as wide as the processor has them, between whose passes
+//! numbers stay apart into real and imaginary parts; rustfft's for all others. Around them:
 //!
 //! - what units, phases, order and symmetry need is done in the one pass over the result that putting it in order needs
 //!   anyway; the phases are products of two from short tables, not a sine and a cosine for each;

@@ -5,11 +5,12 @@ use crate::engine::fft::butterflies::Butterflies;
 use crate::engine::fft::complex::same;
 use crate::engine::fft::core::Core;
 use crate::engine::fft::order::{InOrder, pieces};
+use crate::engine::fft::pool::Pool;
 use crate::engine::fft::real_fft::RealFft;
 use crate::engine::fft::roots::Turns;
 use crate::engine::fft::rows::{Line, Numbers, Source, WIDTH};
 use crate::engine::fft::standing::centre;
-use crate::engine::fft::vectors::{InTurn, InTurnTo, Number, Output};
+use crate::engine::fft::vectors::{InTurn, InTurnTo, Number, Output, Passes};
 use crate::engine::real::Real;
 use crate::engine::simd::{Simd, vectorised};
 use crate::error::Result;
@@ -39,6 +40,9 @@ use num_complex::Complex;
 #[derive(Debug)]
 pub struct PhysicalFft<T> {
     core: Core<T>,
+    /// The way there with units and phases in its own factors, if it is done in passes.
+    passes: Option<Passes<T>>,
+    rooms: Pool<T>,
     /// `T·e^{−2πiν_p·start}` at the frequencies of the dual axis.
     there: Turns<T>,
     /// `e^{−2πiν_p·start}/span`.
@@ -56,7 +60,9 @@ impl<T: Real> PhysicalFft<T> {
         let n = axis.len();
         let centred = |gain| Turns::new(n, phase(-((n / 2) as i64), axis) * gain, |k| phase(k as i64, axis));
         let (there, back) = (centred(axis.step()), centred(1.0 / axis.span()));
-        Self { core: Core::new(n, n, butterflies), there, back }
+        let core = Core::new(n, n, butterflies);
+        let passes = if core.has_passes() { Passes::with(n, |k| phase(k, axis) * axis.step()) } else { None };
+        Self { core, passes, rooms: Pool::new(), there, back }
     }
 
     /// `F(ν_k) = T Σ_j f(x_j) e^{−2πiν_k x_j}`, rising from `−n/2`.
@@ -67,9 +73,8 @@ impl<T: Real> PhysicalFft<T> {
         let n = self.core.len();
         same(n, input.len())?;
         same(n, output.len())?;
-        if self.core.in_passes(|passes, room| {
-            passes.run(InTurn(input), CentredTo { bins: &mut *output, factors: &self.there }, room);
-        }) {
+        if let Some(passes) = &self.passes {
+            self.rooms.lend(passes.room(), |room| passes.run(InTurn(input), Centred(output), room));
             return Ok(());
         }
         if n.is_multiple_of(2) && self.core.is_whole() {
@@ -91,34 +96,30 @@ impl<T: Real> PhysicalFft<T> {
     pub fn inverse(&self, input: &[Complex<T>], output: &mut [Complex<T>]) -> Result<()> {
         same(self.core.len(), input.len())?;
         same(self.core.len(), output.len())?;
-        self.core.run_to(&Centred { bins: input, factors: &self.back }, output);
+        self.core.run_to(&Plain { bins: input, factors: &self.back }, output);
         output.iter_mut().for_each(|z| *z = z.conj());
         Ok(())
     }
 }
 
-/// Bins in rising order, times their factors; of an even number, which is a multiple of twice a vector's.
-struct CentredTo<'a, T> {
-    bins: &'a mut [Complex<T>],
-    factors: &'a Turns<T>,
-}
+/// Places of an even number of bins in rising order.
+struct Centred<'a, T>(&'a mut [Complex<T>]);
 
-impl<T: Real> Output<T> for CentredTo<'_, T> {
+impl<T: Real> Output<T> for Centred<'_, T> {
     #[inline(always)]
     fn write<S: Simd>(&mut self, simd: S, at: usize, z: Number<T, S>) {
-        let middle = self.bins.len() / 2;
-        let place = if at < middle { at + middle } else { at - middle };
-        InTurnTo(self.bins).write(simd, place, z.times(self.factors.vector(simd, place)));
+        let middle = self.0.len() / 2;
+        InTurnTo(self.0).write(simd, if at < middle { at + middle } else { at - middle }, z);
     }
 }
 
 /// Conjugated bins in the plain order, times their factors.
-struct Centred<'a, T> {
+struct Plain<'a, T> {
     bins: &'a [Complex<T>],
     factors: &'a Turns<T>,
 }
 
-impl<T: Real> Source<T> for Centred<'_, T> {
+impl<T: Real> Source<T> for Plain<'_, T> {
     #[inline(always)]
     fn read(&self, at: usize, count: usize, line: &mut Line<T>) {
         let (n, shift) = (self.bins.len(), self.bins.len() / 2);

@@ -2,9 +2,7 @@
 
 use crate::engine::fft::block::{BLOCK, Block, block, times};
 use crate::engine::fft::rows::{Line, WIDTH};
-use crate::engine::fft::vectors::Number;
 use crate::engine::real::Real;
-use crate::engine::simd::{Simd, Wide};
 use crate::num::{cos_pi, sin_pi};
 use num_complex::Complex;
 
@@ -101,8 +99,6 @@ pub(super) struct Turns<T> {
     near_on: [Complex<T>; WIDTH + BLOCK],
     low: Vec<Complex<T>>,
     high: Vec<Complex<T>>,
-    /// The first of every line.
-    lines: Vec<Complex<T>>,
     all: Vec<Complex<T>>,
 }
 
@@ -116,10 +112,8 @@ impl<T: Real> Turns<T> {
             near_on: std::array::from_fn(|k| rounded(unit(k))),
             low: (0..low).map(|j| rounded(unit(j * WIDTH))).collect(),
             high: (0..lines.div_ceil(low)).map(|j| rounded(gain * unit(j * low * WIDTH))).collect(),
-            lines: Vec::new(),
             all: Vec::new(),
         };
-        turns.lines = (0..lines).map(|line| turns.far(line)).collect();
         if n <= TABLE {
             turns.all = (0..n).map(|k| turns.at(k)).collect();
         }
@@ -134,14 +128,6 @@ impl<T: Real> Turns<T> {
     /// The first `count` of `−i·e^{−2πik/n}`.
     pub(super) fn roots_a_quarter_back(n: usize, count: usize) -> Self {
         Self::new(count, Complex::new(0.0, -1.0), |k| root(k, n))
-    }
-
-    /// Those of a vector of numbers, from one to the next of which there are as many as it has.
-    #[inline(always)]
-    pub(super) fn vector<S: Simd>(&self, simd: S, k: usize) -> Number<T, S> {
-        let part = k % WIDTH;
-        let near = Number { re: Wide::read(simd, &self.near.re, part), im: Wide::read(simd, &self.near.im, part) };
-        near.times(Number::splat(simd, self.lines[k / WIDTH]))
     }
 
     /// `|f(k)|`.

@@ -2,7 +2,7 @@
 //!
 //! A [`Loop`] is plain arithmetic on arrays, element by element, which the compiler vectorises once for every set of
 //! instructions. It never fuses a product and a sum, so the bits do not depend on the choice. A [`Task`] holds vectors in
-//! its hands, and may fuse where [`Arithmetic`] allows it.
+//! its hands, and may fuse where [`Arithmetic`] allows it; with [`Wide`] it is written as arithmetic, too.
 
 mod rearranged;
 mod turn;
@@ -10,7 +10,7 @@ mod wide;
 
 use pulp::{Arch, NullaryFnOnce};
 pub(crate) use pulp::{Simd, WithSimd as Task};
-pub use rearranged::Order;
+pub(super) use rearranged::Order;
 pub(super) use turn::Turn;
 pub(super) use wide::{LANES, Wide, turned, unrolled};
 

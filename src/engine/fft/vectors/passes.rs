@@ -18,7 +18,7 @@ const ROOTS: &str = "a pass has as many roots as points";
 /// `X_k = Σ_j x_j e^{−2πijk/n}` in passes that read one array from front to back and write another (Stockham; Van Loan
 /// 1992, section 1.7): a pass with `s` numbers side by side takes those at `q + s(p + mj)` to `q + s(rp + k)` by a transform
 /// of `r` points over `j` and factors `e^{−2πipk/rm}`. The first, with nothing side by side, takes `p` as vectors and turns
-/// squares of them; the last has no factors, so that those of units take their place.
+/// squares of them; the last has no factors of its own.
 #[derive(Debug)]
 pub(in crate::engine::fft) struct Passes<T> {
     n: usize,
@@ -36,41 +36,52 @@ struct Pass<T> {
     side: usize,
     /// `e^{−2πik/r}`.
     roots: Vec<Complex<T>>,
-    /// The factors for each `p`, of `k` from one on.
+    /// The factors for each `p`, of `k` from one on; of the last pass those of all `k`, if there are any.
     turns: Vec<Complex<T>>,
 }
 
 impl<T: Real> Pass<T> {
-    fn new(radix: usize, side: usize, n: usize) -> Self {
-        let len = n / side;
-        let turns = (0..len / radix).flat_map(|p| (1..radix).map(move |k| rounded(root(p * k, len))));
-        Self { radix, side, roots: (0..radix).map(|k| rounded(root(k, radix))).collect(), turns: turns.collect() }
+    fn new(radix: usize, side: usize, n: usize, unit: impl Fn(i64) -> Complex<f64>) -> Self {
+        let (len, mut turns) = (n / side, Vec::new());
+        for p in 0..len / radix {
+            turns.extend((1..radix).map(|k| rounded(root(p * k, len) * unit((side * k) as i64))));
+        }
+        Self { radix, side, roots: (0..radix).map(|k| rounded(root(k, radix))).collect(), turns }
     }
 }
 
 impl<T: Real> Passes<T> {
-    /// For `n` numbers, if that is a multiple of 256 and else of 2, 3, 5 and 7.
+    /// For `n` numbers, if that is a multiple of 256 above it that has no prime factors but 2, 3, 5 and 7.
     pub(in crate::engine::fft) fn new(n: usize) -> Option<Self> {
+        let mut passes = Self::with(n, |_| 1.0.into())?;
+        passes.last.turns.clear();
+        Some(passes)
+    }
+
+    /// The same times `gain·unit(k)` for `−n/2 ≤ k < n/2`, which must obey `unit(j + k) = unit(j)·unit(k)`: frequency `k`
+    /// is a sum of digits, one from each pass, and so the factors of units are factors of those of the passes. Only the
+    /// last, which had none, has one more product for every number.
+    pub(in crate::engine::fft) fn with(n: usize, factor: impl Fn(i64) -> Complex<f64>) -> Option<Self> {
         let radices = radices(n)?;
+        let unit = |k: i64| factor(k) / factor(0);
         let len = n / FIRST;
-        let lines = (0..len).step_by(FIRST).flat_map(|p| {
-            (1..FIRST).flat_map(move |k| {
-                let line: [Complex<T>; FIRST] = std::array::from_fn(|i| rounded(root((p + i) * k, n)));
-                line.map(|z| z.re).into_iter().chain(line.map(|z| z.im))
-            })
-        });
-        let mut side = FIRST;
-        let mut passes: Vec<_> = radices
-            .into_iter()
-            .map(|radix| {
-                let pass = Pass::new(radix, side, n);
-                side *= radix;
-                pass
-            })
-            .collect();
-        let last = passes.pop()?;
+        let mut first = Vec::with_capacity(2 * n);
+        for p in (0..len).step_by(FIRST) {
+            for k in 1..FIRST {
+                let line: [Complex<T>; FIRST] = std::array::from_fn(|i| rounded(root((p + i) * k, n) * unit(k as i64)));
+                first.extend(line.iter().map(|z| z.re).chain(line.iter().map(|z| z.im)));
+            }
+        }
+        let (mut side, mut middle) = (FIRST, Vec::new());
+        for radix in radices {
+            middle.push(Pass::new(radix, side, n, unit));
+            side *= radix;
+        }
+        let mut last = middle.pop()?;
+        let signed = |k: usize| if 2 * k < n { k as i64 } else { k as i64 - n as i64 };
+        last.turns = (0..last.radix).map(|k| rounded(factor(signed(last.side * k)))).collect();
         let roots = std::array::from_fn(|k| rounded(root(k, FIRST)));
-        Some(Self { n, roots, first: Aligned::new(lines.collect()), middle: passes, last })
+        Some(Self { n, roots, first: Aligned::new(first), middle, last })
     }
 
     /// How many numbers.
@@ -177,9 +188,11 @@ impl<T: Real, O: Output<T>> Task for End<'_, T, O> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let Self { pass, from, mut output } = self;
-        match pass.radix {
-            8 => pass.last::<S, 8>(simd, from, &mut output),
-            _ => pass.last::<S, 16>(simd, from, &mut output),
+        match (pass.radix, pass.turns.is_empty()) {
+            (8, true) => pass.last::<S, 8, false>(simd, from, &mut output),
+            (8, false) => pass.last::<S, 8, true>(simd, from, &mut output),
+            (_, true) => pass.last::<S, 16, false>(simd, from, &mut output),
+            (_, false) => pass.last::<S, 16, true>(simd, from, &mut output),
         }
     }
 }
@@ -247,7 +260,7 @@ impl<T: Real> Pass<T> {
     }
 
     #[inline(always)]
-    fn last<S: Simd, const R: usize>(&self, simd: S, from: &[Block<T>], output: &mut impl Output<T>)
+    fn last<S: Simd, const R: usize, const TURNED: bool>(&self, simd: S, from: &[Block<T>], output: &mut impl Output<T>)
     where
         Few: Points<R>,
     {
@@ -260,7 +273,10 @@ impl<T: Real> Pass<T> {
                 let mut z = [Number::splat(simd, roots[0]); R];
                 unrolled!(j < R, z[j] = Number::part(simd, &rows[j][q], part));
                 z = Few::transform(simd, roots, z);
-                unrolled!(k < R, output.write(simd, LANES * (q + side * k) + part, z[k]));
+                unrolled!(k < R, {
+                    let z = if TURNED { z[k].times(Number::splat(simd, self.turns[k])) } else { z[k] };
+                    output.write(simd, LANES * (q + side * k) + part, z);
+                });
             }
         }
     }
