@@ -13,7 +13,8 @@ fn grid(nx: usize, ny: usize) -> Grid {
 
 #[test]
 fn spectra_and_power_spectra_are_the_direct_sums() {
-    let small = [(1, 1), (1, 6), (5, 1), (2, 2), (7, 9), (8, 9), (9, 8), (16, 20), (33, 12), (35, 37), (64, 33), (70, 18)];
+    let small =
+        [(1, 1), (1, 6), (5, 1), (2, 2), (7, 9), (8, 9), (9, 8), (16, 20), (33, 12), (35, 37), (64, 33), (70, 18)];
     // columns side by side: odd and even heights, one stage and several, one group of columns and several
     let abreast = [(32, 2), (32, 7), (64, 24), (96, 15), (32, 48), (32, 70)];
     for (nx, ny) in small.into_iter().chain(abreast) {

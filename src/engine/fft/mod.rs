@@ -12,8 +12,8 @@
 //! columns of images 32·`k` wide and as smooth in height: vectors as wide as the processor has them, between whose passes
 //! numbers stay apart into real and imaginary parts; rustfft's for all others. Around them:
 //!
-//! - what units, phases, order and symmetry need is done in the one pass over the result that putting it in order needs
-//!   anyway; the phases are products of two from short tables, not a sine and a cosine for each;
+//! - what units, phases, order and symmetry need is part of the factors of the passes that are our own, elsewhere it is done
+//!   in the one pass over the result that putting it in order needs anyway; the phases are products of two from short tables, not a sine and a cosine for each;
 //! - from 2¹⁷ complex numbers on a length that is a multiple of 16 is cut into sixteen rows (Gentleman & Sande 1966), so
 //!   that all threads work on one transform;
 //! - a large length with a large prime factor becomes a convolution with a chirp (Bluestein 1970) whose spectrum stays in

@@ -1,5 +1,6 @@
 //! The plan: two axes, and the order in which they are summed.
 
+use crate::engine::real::Real;
 use crate::engine::resize::code::Code;
 use crate::engine::resize::job::{Job, ROWS};
 use crate::engine::resize::light::Light;
@@ -7,7 +8,6 @@ use crate::engine::resize::room::Rooms;
 use crate::engine::resize::strips::{Meaning, Themselves};
 use crate::engine::resize::taps::{Blocks, Taps};
 use crate::engine::resize::view::{Layout, View, ViewMut};
-use crate::engine::real::Real;
 use crate::engine::simd::Arithmetic;
 use crate::error::{Error, Result};
 use crate::parallel;

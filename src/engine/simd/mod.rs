@@ -154,10 +154,30 @@ macro_rules! lanes {
 }
 
 lanes!(
-    f32, f32s, as_simd_f32s, as_mut_simd_f32s, splat_f32s, mul_f32s, add_f32s, sub_f32s, mul_add_e_f32s,
-    negate_mul_add_e_f32s, rearranged::rearranged_f32, turn::turn_f32
+    f32,
+    f32s,
+    as_simd_f32s,
+    as_mut_simd_f32s,
+    splat_f32s,
+    mul_f32s,
+    add_f32s,
+    sub_f32s,
+    mul_add_e_f32s,
+    negate_mul_add_e_f32s,
+    rearranged::rearranged_f32,
+    turn::turn_f32
 );
 lanes!(
-    f64, f64s, as_simd_f64s, as_mut_simd_f64s, splat_f64s, mul_f64s, add_f64s, sub_f64s, mul_add_e_f64s,
-    negate_mul_add_e_f64s, rearranged::rearranged_f64, vectorised
+    f64,
+    f64s,
+    as_simd_f64s,
+    as_mut_simd_f64s,
+    splat_f64s,
+    mul_f64s,
+    add_f64s,
+    sub_f64s,
+    mul_add_e_f64s,
+    negate_mul_add_e_f64s,
+    rearranged::rearranged_f64,
+    vectorised
 );

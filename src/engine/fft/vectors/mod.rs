@@ -10,8 +10,8 @@ mod passes;
 mod points;
 mod streams;
 
-pub(super) use number::Number;
-pub(super) use passes::Passes;
 pub(super) use abreast::Abreast;
 pub(super) use aligned::line_start;
+pub(super) use number::Number;
+pub(super) use passes::Passes;
 pub(super) use streams::{InTurn, InTurnTo, Output};

@@ -45,10 +45,7 @@ impl<T: Real, S: Simd> Number<T, S> {
     /// Every number times its own one.
     #[inline(always)]
     pub(in crate::engine::fft) fn times(self, w: Self) -> Self {
-        Self {
-            re: (self.re * w.re).less_product(self.im, w.im),
-            im: (self.im * w.re).plus_product(self.re, w.im),
-        }
+        Self { re: (self.re * w.re).less_product(self.im, w.im), im: (self.im * w.re).plus_product(self.re, w.im) }
     }
 
     /// `self − i·other`.

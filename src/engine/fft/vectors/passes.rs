@@ -14,7 +14,6 @@ const FIRST: usize = LANES;
 
 const ROOTS: &str = "a pass has as many roots as points";
 
-
 /// `X_k = Σ_j x_j e^{−2πijk/n}` in passes that read one array from front to back and write another (Stockham; Van Loan
 /// 1992, section 1.7): a pass with `s` numbers side by side takes those at `q + s(p + mj)` to `q + s(rp + k)` by a transform
 /// of `r` points over `j` and factors `e^{−2πipk/rm}`. The first, with nothing side by side, takes `p` as vectors and turns

@@ -61,7 +61,8 @@ impl Points<16> for Few {
         for j in 0..4 {
             let column = four([x[j], x[j + 4], x[j + 8], x[j + 12]]);
             for k in 0..4 {
-                rows[4 * k + j] = if j * k == 0 { column[k] } else { column[k].times(Number::splat(simd, roots[j * k])) };
+                rows[4 * k + j] =
+                    if j * k == 0 { column[k] } else { column[k].times(Number::splat(simd, roots[j * k])) };
             }
         }
         let mut out = x;
