@@ -25,12 +25,12 @@ const TOGETHER: usize = 8;
 /// at the frequencies of the dual grid, rising along both axes, zero at column `width/2` and row `height/2`; images and
 /// spectra row after row.
 ///
-/// First the columns, two real ones as one complex, in blocks that fit into a cache (side by side where they stand, if the
-/// image is a multiple of 32 wide and its height has no prime factors but 2, 3, 5 and 7); then the rows, up to half the height,
-/// each of which is written twice: symmetry has the rest. The complex half plane between the two passes is written once
-/// and read once, the result is written from front to back, and a power spectrum never exists as complex numbers. Any size,
-/// `O(n log n)`; memory beside the image and the result: `8·n` bytes in `f64`, `4·n` in `f32`, kept for the next image. The
-/// bits do not depend on the number of threads.
+/// First the columns, two real ones as one complex, in blocks that fit into a cache (side by side where they stand, if
+/// the image is a multiple of 32 wide and its height has no prime factors but 2, 3, 5 and 7); then the rows, up to half
+/// the height, each of which is written twice: symmetry has the rest. The complex half plane between the two passes is
+/// written once and read once, the result is written from front to back, and a power spectrum never exists as complex
+/// numbers. Any size, `O(n log n)`; memory beside the image and the result: `8·n` bytes in `f64`, `4·n` in `f32`, kept
+/// for the next image, and a kilobyte for each row and thread. The bits do not depend on the number of threads.
 ///
 /// ```
 /// use nyquist::engine::fft::PlaneFft;
