@@ -2,6 +2,7 @@
 
 use crate::engine::fft::vectors::{InTurn, InTurnTo, Passes};
 use crate::engine::real::Real;
+use crate::engine::simd::widest;
 use num_complex::Complex;
 use rustfft::{Fft, FftPlanner, FftPlannerScalar};
 use std::fmt;
@@ -29,10 +30,14 @@ pub(super) enum Short<T> {
 impl<T: Real> Short<T> {
     /// `X_k = Σ_j x_j e^{−2πijk/n}`.
     pub(super) fn new(n: usize, butterflies: Butterflies) -> Self {
-        match (butterflies, Passes::new(n)) {
-            (Butterflies::Scalar, _) => Self::Planned(FftPlannerScalar::new().plan_fft_forward(n)),
-            (Butterflies::Fastest, Some(passes)) => Self::Passes(passes),
-            (Butterflies::Fastest, None) => Self::Planned(FftPlanner::new().plan_fft_forward(n)),
+        match butterflies {
+            Butterflies::Scalar => Self::Planned(FftPlannerScalar::new().plan_fft_forward(n)),
+            // rustfft has no AVX-512, and is faster with what it has
+            Butterflies::Fastest if widest() < 64 => Self::Planned(FftPlanner::new().plan_fft_forward(n)),
+            Butterflies::Fastest => match Passes::new(n) {
+                Some(passes) => Self::Passes(passes),
+                None => Self::Planned(FftPlanner::new().plan_fft_forward(n)),
+            },
         }
     }
 

@@ -7,13 +7,14 @@
 //! | [`PhysicalFft`], [`PhysicalRealFft`] | samples on an [`Axis`](crate::axis::Axis) to samples of `F(ν)`: step, phase of the start, rising frequencies |
 //! | [`PlaneFft`] | images on a [`Grid`](crate::grid::Grid) to spectra and power spectra, and back |
 //!
-//! The butterflies of [`Butterflies::Scalar`] are rustfft's, in pieces that fit into a cache. Those of
-//! [`Butterflies::Fastest`] are our own for multiples of 256 above it that have no prime factors but 2, 3, 5 and 7, and for
-//! columns of images 32·`k` wide and as smooth in height: vectors as wide as the processor has them, between whose passes
-//! numbers stay apart into real and imaginary parts; rustfft's for all others. Around them:
+//! The butterflies of [`Butterflies::Scalar`] are rustfft's, in pieces that fit into a cache. Of
+//! [`Butterflies::Fastest`] two kinds are our own, between whose passes numbers stay apart into real and imaginary parts:
+//! where processors have vectors of 512 bits, those for multiples of 256 above it that have no prime factors but 2, 3, 5 and
+//! 7; and everywhere those for columns of images 32·`k` wide and as smooth in height. The others are rustfft's. Around them:
 //!
 //! - what units, phases, order and symmetry need is part of the factors of the passes that are our own, elsewhere it is done
-//!   in the one pass over the result that putting it in order needs anyway; the phases are products of two from short tables, not a sine and a cosine for each;
+//!   in the one pass over the result that putting it in order needs anyway; the phases are products of two from short
+//!   tables, not a sine and a cosine for each;
 //! - from 2¹⁷ complex numbers on a length that is a multiple of 16 is cut into sixteen rows (Gentleman & Sande 1966), so
 //!   that all threads work on one transform;
 //! - a large length with a large prime factor becomes a convolution with a chirp (Bluestein 1970) whose spectrum stays in

@@ -52,6 +52,20 @@ pub(crate) fn with_vectors<T: Task>(task: T) -> T::Output {
     Arch::new().dispatch(task)
 }
 
+/// Bytes of the widest vectors of this processor.
+pub(super) fn widest() -> usize {
+    struct Bytes;
+    impl Task for Bytes {
+        type Output = usize;
+
+        #[inline(always)]
+        fn with_simd<S: Simd>(self, _: S) -> usize {
+            size_of::<S::f32s>()
+        }
+    }
+    with_vectors(Bytes)
+}
+
 /// Numbers that processors have vectors of.
 pub trait Lanes: bytemuck::Pod {
     /// A vector.
