@@ -51,10 +51,11 @@ def one(n, real, number, values, threads, rounds):
         out, transform = np.empty(count, complex_number), ducc0.fft.r2c if real else ducc0.fft.c2c
         return lambda: transform(values, nthreads=threads, out=out)
 
+    # its input is a copy that is aligned
+    aligned = pyfftw.byte_align(values.copy())
+
     def fftw():
-        # its input is aligned: a copy of its own
         build = pyfftw.builders.rfft if real else pyfftw.builders.fft
-        aligned = pyfftw.byte_align(values.copy())
         return build(aligned, threads=threads, planner_effort="FFTW_MEASURE", overwrite_input=False)
 
     by_scipy = scipy.fft.rfft if real else scipy.fft.fft

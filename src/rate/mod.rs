@@ -20,17 +20,18 @@
 //! the phases of the ratio are exact, however large `L` and `M` are. Other ratios go through one and a half times the rate
 //! (twice in `f32`), or a whole fraction of that, by the same means, and from there to any times by a window of 16 (10)
 //! samples, whose spectrum is divided out on the way there: a transform at non-uniform points, as in
-//! [`nonuniform`](crate::engine::nonuniform). It errs by less than `6·10⁻¹²` of a tone. Times are counted in steps of 2⁻¹²⁸
+//! [`nonuniform`](crate::engine::nonuniform). In 64 bits it errs by less than `6·10⁻¹²` of a tone. Times are counted in steps of 2⁻¹²⁸
 //! samples.
 //!
 //! Delay is compensated: the filter is symmetric, and output `m` stands for the time `m/R` exactly. Of `n` samples there
 //! come `round(n·R/R₀)`. Before and after the record there is silence. What is given stays behind what was taken by less
-//! than a window ([`Converter::delay`]: 0.4 s for `best` at 44.1 kHz, 0.5 where the ratio is not one of whole numbers, 0.05
-//! for `fast`). Channels do not meet: each has transforms of its own, or a loud one would leave its rounding in a silent one.
+//! than a window ([`Converter::delay`]: from 44.1 kHz to a rate not far from it 0.4 s for `best`, 0.5 where the ratio is not
+//! one of whole numbers, 0.05 for `fast`; in proportion more to much lower rates). Channels do not meet: each has transforms of its own, or a loud one would leave its rounding in a silent one.
 //!
 //! The bits do not depend on how the input is cut into blocks, nor on the number of threads, on which windows are converted
 //! side by side; nor on the processor, unless the fastest butterflies are asked for ([`Converter::with`]). Numbers of 32
-//! bits round to −134 dB of a tone (−130 where the ratio is not one of whole numbers), those of 64 to −300.
+//! bits round to −134 dB of a tone in the root mean square (−130 where the ratio is not one of whole numbers), those of 64 to
+//! −300.
 
 mod between;
 mod blocks;

@@ -91,6 +91,22 @@ fn units_and_phases_are_those_of_the_integral() {
 }
 
 #[test]
+fn steps_of_any_size_are_factors_and_no_more() {
+    let values = complex_noise(512);
+    let bins = |step: f64| {
+        let mut bins = vec![Complex::ZERO; 512];
+        PhysicalFft::new(Axis::new(3.0 * step, step, 512).unwrap()).forward(&values, &mut bins).unwrap();
+        bins
+    };
+    // powers of two: nothing is rounded
+    let known = bins(1.0);
+    for exponent in [-1000, -500, 500, 1000] {
+        let step = 2.0_f64.powi(exponent);
+        assert!(bins(step).iter().zip(&known).all(|(got, known)| *got == known * step), "2^{exponent}");
+    }
+}
+
+#[test]
 fn lengths_that_do_not_fit_are_refused() {
     assert!(matches!(Fft::<f64>::new(0), Err(Error::TooFew { .. })));
     assert!(matches!(RealFft::<f32>::new(0), Err(Error::TooFew { .. })));

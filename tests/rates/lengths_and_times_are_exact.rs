@@ -137,6 +137,9 @@ fn what_cannot_be_is_refused() {
     record[9_999] = f64::INFINITY;
     let found = converter.whole(&record, &mut [0.0; 20_000]);
     assert!(matches!(found, Err(Error::NotFiniteAt { index: 9_999, .. })));
+    // a record too short for any output is read all the same
+    let none = convert(&[f64::NAN], 48_000.0, 8_000.0, Quality::Fast);
+    assert!(matches!(none, Err(Error::NotFiniteAt { index: 0, .. })));
     // sums that are too large are no fault of the samples
     let told = converter.whole(&[f64::MAX; 10_000], &mut [0.0; 20_000]);
     assert!(matches!(told, Err(Error::Overflow { .. })));

@@ -90,16 +90,15 @@ fn disks(about: usize, torus: bool, machine: &Machine) -> Race<'static> {
     let radius = pattern.radius();
     let pattern = if torus { pattern } else { pattern.bounded() };
     let width = radius.recip() as f32;
-    let bluenoise = move || -> Points {
-        let wide = |p: glam::Vec2| [p.x, p.y].map(f64::from);
-        let all: Vec<_> = if torus {
-            bluenoise::WrappingBlueNoise::<rand_pcg::Pcg64Mcg>::from_seed(width, width, 1.0, 1).map(wide).collect()
+    let bluenoise = move || -> Vec<glam::Vec2> {
+        if torus {
+            bluenoise::WrappingBlueNoise::<rand_pcg::Pcg64Mcg>::from_seed(width, width, 1.0, 1).collect()
         } else {
-            bluenoise::BlueNoise::<rand_pcg::Pcg64Mcg>::from_seed(width, width, 1.0, 1).map(wide).collect()
-        };
-        all
+            bluenoise::BlueNoise::<rand_pcg::Pcg64Mcg>::from_seed(width, width, 1.0, 1).collect()
+        }
     };
-    let theirs = move |points: Points| scaled(points.into_iter(), f64::from(width));
+    let theirs =
+        move |points: Vec<glam::Vec2>| scaled(points.into_iter().map(|p| [p.x, p.y].map(f64::from)), f64::from(width));
     Race {
         case: format!("disks, about {about}{}", if torus { ", torus" } else { "" }),
         threads: 1,

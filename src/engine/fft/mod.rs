@@ -12,8 +12,8 @@
 //! where processors have vectors of 512 bits, those for multiples of 256 above it that have no prime factors but 2, 3, 5 and
 //! 7; and everywhere those for columns of images 32·`k` wide and as smooth in height. The others are rustfft's. Around them:
 //!
-//! - what units, phases, order and symmetry need is part of the factors of the passes that are our own, elsewhere it is done
-//!   in the one pass over the result that putting it in order needs anyway; the phases are products of two from short
+//! - what units, phases and order need is part of the factors of our own passes on the way to centred frequencies; elsewhere
+//!   it is done, as what symmetry needs is, in the one pass over the result that putting it in order needs anyway; the phases are products of two from short
 //!   tables, not a sine and a cosine for each;
 //! - from 2¹⁷ complex numbers on a length that is a multiple of 16 is cut into sixteen rows (Gentleman & Sande 1966), so
 //!   that all threads work on one transform;

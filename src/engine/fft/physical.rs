@@ -20,8 +20,7 @@ use num_complex::Complex;
 /// A plan for complex samples on one axis, and for samples of their spectrum.
 ///
 /// The conventions are those of [`sampled::dft::forward`](crate::sampled::dft::forward): frequencies of the dual axis,
-/// rising, zero at index `n/2`; the step and the phase of the start are part of the transform, in the pass that puts the
-/// frequencies in order.
+/// rising, zero at index `n/2`; the step and the phase of the start are part of the transform, not a pass after it.
 ///
 /// ```
 /// use nyquist::engine::fft::PhysicalFft;
@@ -61,7 +60,7 @@ impl<T: Real> PhysicalFft<T> {
         let centred = |gain| Turns::new(n, phase(-((n / 2) as i64), axis) * gain, |k| phase(k as i64, axis));
         let (there, back) = (centred(axis.step()), centred(1.0 / axis.span()));
         let core = Core::new(n, n, butterflies);
-        let passes = if core.has_passes() { Passes::with(n, |k| phase(k, axis) * axis.step()) } else { None };
+        let passes = if core.has_passes() { Passes::with(n, axis.step(), |k| phase(k, axis)) } else { None };
         Self { core, passes, rooms: Pool::new(), there, back }
     }
 

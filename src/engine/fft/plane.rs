@@ -132,9 +132,11 @@ impl<T: Real> PlaneFft<T> {
             transform_columns::<T, Same>(&self.down, kept, &rows, tiles, &self.rooms);
             let tiles = &*tiles;
             parallel::chunks(out, TOGETHER * nx, |chunk, rows| {
-                self.rooms.lend(2 * kept + nx + self.across.room(), |work| {
-                    let (halves, work) = work.split_at_mut(2 * kept);
-                    let (first, second) = halves.split_at_mut(kept);
+                // from a line of the cache on, too
+                let padded = (2 * kept).next_multiple_of(8);
+                self.rooms.lend(padded + nx + self.across.room(), |work| {
+                    let (halves, work) = work.split_at_mut(padded);
+                    let (first, second) = halves[..2 * kept].split_at_mut(kept);
                     let (both, room) = work.split_at_mut(nx);
                     for (i, pair) in rows.chunks_mut(2 * nx).enumerate() {
                         let j = chunk * TOGETHER + 2 * i;

@@ -8,7 +8,7 @@ use std::sync::{Mutex, PoisonError};
 /// Buffers that are lent and taken back: a plan allocates in its first call on every thread, and no more.
 pub(crate) struct Pool<T>(Mutex<Vec<Vec<Complex<T>>>>);
 
-/// More than a line of the cache has.
+/// As many as a line of the cache has, at most.
 const SPARE: usize = 8;
 
 impl<T: Copy + Default> Pool<T> {
@@ -16,7 +16,8 @@ impl<T: Copy + Default> Pool<T> {
         Self(Mutex::new(Vec::new()))
     }
 
-    /// `f` with room for `len` numbers, whatever they are, from the start of a line of the cache on.
+    /// `f` with room for `len` numbers, whatever they are, from the start of a line of the cache on (where the
+    /// allocator aligns numbers at all).
     pub(crate) fn lend<R>(&self, len: usize, f: impl FnOnce(&mut [Complex<T>]) -> R) -> R {
         let free = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let mut room = free().pop().unwrap_or_default();

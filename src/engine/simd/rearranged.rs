@@ -46,6 +46,8 @@ macro_rules! rearranged {
     ($name:ident, $real:ty, $vector:ident, $permute:ident, $index:ty, $lanes:literal) => {
         #[inline(always)]
         pub(super) fn $name<S: Simd>(simd: S, both: [S::$vector; 2], order: Order) -> [S::$vector; 2] {
+            #[cfg(not(target_arch = "x86_64"))]
+            let _ = simd;
             #[cfg(target_arch = "x86_64")]
             if let Some(v4) = (&simd as &dyn std::any::Any).downcast_ref::<pulp::x86::V4>() {
                 const fn sources(order: Order) -> [[$index; $lanes]; 2] {

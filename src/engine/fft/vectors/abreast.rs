@@ -20,7 +20,7 @@ const ROOTS: &str = "a stage has as many roots as points";
 
 /// Transforms of the real columns of an image, where they stand: row `j` of a group of columns is a block, its first half
 /// real, the second half imaginary parts, as they are in the image; nothing is turned. The first stage takes the group
-/// apart into blocks of rows that fit into the nearest cache, the others stay within those (Gentleman & Sande 1966).
+/// apart into blocks of rows that fit into a nearer cache, the others stay within those (Gentleman & Sande 1966).
 #[derive(Debug)]
 pub(in crate::engine::fft) struct Abreast<T> {
     height: usize,
@@ -107,7 +107,7 @@ impl<T: Real> Abreast<T> {
     }
 }
 
-/// Odd ones first, then sixteens and what is left.
+/// Sixteens first, so that blocks are small, what is left of the twos, odd ones.
 fn radices(n: usize) -> Option<Vec<usize>> {
     let mut twos = n.checked_ilog2().map(|_| n.trailing_zeros())?;
     let (mut rest, mut radices) = (n >> twos, Vec::new());

@@ -42,8 +42,9 @@ struct Pass<T> {
 impl<T: Real> Pass<T> {
     fn new(radix: usize, side: usize, n: usize, unit: impl Fn(i64) -> Complex<f64>) -> Self {
         let (len, mut turns) = (n / side, Vec::new());
+        let units: Vec<_> = (0..radix).map(|k| unit((side * k) as i64)).collect();
         for p in 0..len / radix {
-            turns.extend((1..radix).map(|k| rounded(root(p * k, len) * unit((side * k) as i64))));
+            turns.extend((1..radix).map(|k| rounded(root(p * k, len) * units[k])));
         }
         Self { radix, side, roots: (0..radix).map(|k| rounded(root(k, radix))).collect(), turns }
     }
@@ -52,7 +53,7 @@ impl<T: Real> Pass<T> {
 impl<T: Real> Passes<T> {
     /// For `n` numbers, if that is a multiple of 256 above it that has no prime factors but 2, 3, 5 and 7.
     pub(in crate::engine::fft) fn new(n: usize) -> Option<Self> {
-        let mut passes = Self::with(n, |_| 1.0.into())?;
+        let mut passes = Self::with(n, 1.0, |_| 1.0.into())?;
         passes.last.turns.clear();
         Some(passes)
     }
@@ -60,25 +61,25 @@ impl<T: Real> Passes<T> {
     /// The same times `gain·unit(k)` for `−n/2 ≤ k < n/2`, which must obey `unit(j + k) = unit(j)·unit(k)`: frequency `k`
     /// is a sum of digits, one from each pass, and so the factors of units are factors of those of the passes. Only the
     /// last, which had none, has one more product for every number.
-    pub(in crate::engine::fft) fn with(n: usize, factor: impl Fn(i64) -> Complex<f64>) -> Option<Self> {
+    pub(in crate::engine::fft) fn with(n: usize, gain: f64, unit: impl Fn(i64) -> Complex<f64>) -> Option<Self> {
         let radices = radices(n)?;
-        let unit = |k: i64| factor(k) / factor(0);
+        let units: [_; FIRST] = std::array::from_fn(|k| unit(k as i64));
         let len = n / FIRST;
         let mut first = Vec::with_capacity(2 * n);
         for p in (0..len).step_by(FIRST) {
             for k in 1..FIRST {
-                let line: [Complex<T>; FIRST] = std::array::from_fn(|i| rounded(root((p + i) * k, n) * unit(k as i64)));
+                let line: [Complex<T>; FIRST] = std::array::from_fn(|i| rounded(root((p + i) * k, n) * units[k]));
                 first.extend(line.iter().map(|z| z.re).chain(line.iter().map(|z| z.im)));
             }
         }
         let (mut side, mut middle) = (FIRST, Vec::new());
         for radix in radices {
-            middle.push(Pass::new(radix, side, n, unit));
+            middle.push(Pass::new(radix, side, n, &unit));
             side *= radix;
         }
         let mut last = middle.pop()?;
         let signed = |k: usize| if 2 * k < n { k as i64 } else { k as i64 - n as i64 };
-        last.turns = (0..last.radix).map(|k| rounded(factor(signed(last.side * k)))).collect();
+        last.turns = (0..last.radix).map(|k| rounded(unit(signed(last.side * k)) * gain)).collect();
         let roots = std::array::from_fn(|k| rounded(root(k, FIRST)));
         Some(Self { n, roots, first: Aligned::new(first), middle, last })
     }
