@@ -5,7 +5,6 @@ use crate::engine::nonuniform::{PIECE_BITS, Taps, Window};
 use crate::engine::real::Real;
 use crate::engine::simd::{Simd, Task, with_vectors};
 use crate::rate::time::Time;
-use bytemuck::{cast_slice, cast_slice_mut};
 
 /// How many samples a value is made of; those beyond the width of a window weigh nothing.
 pub(super) const TAPS: usize = 16;
@@ -44,14 +43,7 @@ impl<T: Real> Phases<T> {
     /// begin at `time`; false if a value is not finite.
     pub(super) fn values(&self, time: Time, step: Time, lines: &[T], length: usize, out: &mut [T]) -> bool {
         let (rows, arithmetic) = (&self.rows[self.first..], self.arithmetic);
-        // either kind of numbers has vectors of its own
-        if size_of::<T>() == size_of::<f64>() {
-            let (rows, lines, out) = (cast_slice(rows), cast_slice(lines), cast_slice_mut(out));
-            with_vectors(Values::<f64> { rows, arithmetic, lines, length, time, step, out })
-        } else {
-            let (rows, lines, out) = (cast_slice(rows), cast_slice(lines), cast_slice_mut(out));
-            with_vectors(Values::<f32> { rows, arithmetic, lines, length, time, step, out })
-        }
+        with_vectors(Values { rows, arithmetic, lines, length, time, step, out })
     }
 }
 
