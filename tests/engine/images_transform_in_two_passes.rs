@@ -75,12 +75,14 @@ fn same_on_any_number_of_threads(grid: Grid) {
         let plan = PlaneFft::new(grid);
         let (mut power, mut bins) = (vec![0.0; image.len()], vec![Complex::ZERO; image.len()]);
         let mut back = power.clone();
-        plan.power(&image, &mut power).unwrap();
-        plan.forward(&image, &mut bins).unwrap();
-        plan.inverse(&bins, &mut back).unwrap();
+        plan.power(&image, &mut power).expect("the sizes agree");
+        plan.forward(&image, &mut bins).expect("the sizes agree");
+        plan.inverse(&bins, &mut back).expect("the sizes agree");
         (power, bins, back)
     };
-    let on = |count: usize| rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap().install(all);
+    let on = |count: usize| {
+        rayon::ThreadPoolBuilder::new().num_threads(count).build().expect("threads can be had").install(all)
+    };
     let one = on(1);
     assert!([2, 3].into_iter().all(|count| on(count) == one));
 }

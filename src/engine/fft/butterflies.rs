@@ -24,7 +24,7 @@ pub(super) enum Short<T> {
     /// As rustfft plans it.
     Planned(Arc<dyn Fft<T>>),
     /// In passes of vectors.
-    Passes(Passes<T>),
+    Passes(Box<Passes<T>>),
 }
 
 impl<T: Real> Short<T> {
@@ -35,7 +35,7 @@ impl<T: Real> Short<T> {
             // rustfft has no AVX-512, and is faster with what it has
             Butterflies::Fastest if widest() < 64 => Self::Planned(FftPlanner::new().plan_fft_forward(n)),
             Butterflies::Fastest => match Passes::new(n) {
-                Some(passes) => Self::Passes(passes),
+                Some(passes) => Self::Passes(Box::new(passes)),
                 None => Self::Planned(FftPlanner::new().plan_fft_forward(n)),
             },
         }

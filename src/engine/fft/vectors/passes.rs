@@ -67,8 +67,8 @@ impl<T: Real> Passes<T> {
         let len = n / FIRST;
         let mut first = Vec::with_capacity(2 * n);
         for p in (0..len).step_by(FIRST) {
-            for k in 1..FIRST {
-                let line: [Complex<T>; FIRST] = std::array::from_fn(|i| rounded(root((p + i) * k, n) * units[k]));
+            for (k, unit) in units.iter().enumerate().skip(1) {
+                let line: [Complex<T>; FIRST] = std::array::from_fn(|i| rounded(root((p + i) * k, n) * unit));
                 first.extend(line.iter().map(|z| z.re).chain(line.iter().map(|z| z.im)));
             }
         }
@@ -268,6 +268,7 @@ impl<T: Real> Pass<T> {
         let roots: &[Complex<T>; R] = self.roots.as_slice().try_into().expect(ROOTS);
         let mut rows = [&from[..0]; R];
         unrolled!(j < R, rows[j] = &from[side * j..][..side]);
+        #[expect(clippy::needless_range_loop, reason = "place q of every row")]
         for q in 0..side {
             for part in (0..LANES).step_by(Wide::<T, S>::COUNT) {
                 let mut z = [Number::splat(simd, roots[0]); R];

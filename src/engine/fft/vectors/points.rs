@@ -93,8 +93,8 @@ odd!(3 5 7);
 #[inline(always)]
 fn odd<T: Real, S: Simd, const R: usize>(simd: S, roots: &[Complex<T>; R], x: [Number<T, S>; R]) -> [Number<T, S>; R] {
     let mut out = x;
-    for j in 1..R {
-        out[0] = out[0] + x[j];
+    for x in &x[1..] {
+        out[0] = out[0] + *x;
     }
     for k in 1..=R / 2 {
         let root = Number::splat(simd, roots[k]);
