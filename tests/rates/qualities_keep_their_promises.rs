@@ -18,13 +18,17 @@ const PAIRS: [(f64, f64); 8] = [
     (48_000.0, 48_000.0 / (3.0 * std::f64::consts::E)),
 ];
 
-/// The middle of a tone after conversion, away from its ends by more than the longest filter: (index, value).
+/// Samples of the lower rate, more than the longest filter reaches: about 1735, of `best` where the ratio is not one of whole
+/// numbers.
+const AWAY: f64 = 1_900.0;
+
+/// The middle of a tone after conversion, away from its ends: (index, value).
 fn converted(frequency: f64, from: f64, to: f64, quality: Quality) -> Vec<(usize, f64)> {
     let low = from.min(to);
     let samples = (8_000.0 * from / low) as usize;
     let record: Vec<f64> = (0..samples).map(|i| tone(frequency, from, i)).collect();
     let out = convert(&record, from, to, quality).expect("the pair of rates is possible");
-    let away = (1_900.0 * to / low) as usize;
+    let away = (AWAY * to / low) as usize;
     let end = out.len() - away;
     out.into_iter().enumerate().take(end).skip(away).collect()
 }
@@ -93,7 +97,7 @@ fn many_tones_at_once_keep_the_sum_of_their_promises() {
         let sum = |rate: f64, i: usize| tones.iter().map(|&f| tone(f, rate, i)).sum::<f64>() / 60.0;
         let record: Vec<f64> = (0..(8_000.0 * from / low) as usize).map(|i| sum(from, i)).collect();
         let out = convert(&record, from, to, quality).expect("the pair of rates is possible");
-        let away = (1_900.0 * to / low) as usize;
+        let away = (AWAY * to / low) as usize;
         let worst = (away..out.len() - away).map(|i| (out[i] - sum(to, i)).abs()).fold(0.0, f64::max);
         println!("{from} → {to:.0}: {:.1} dB", decibels(worst));
         assert!(decibels(worst) <= -promise.rejection, "{from} → {to}: {:.1} dB", decibels(worst));
@@ -119,7 +123,7 @@ fn difference(a: impl Iterator<Item = f64>, b: impl Iterator<Item = f64>) -> f64
 fn numbers_of_32_bits_leave_less_than_130_decibels() {
     for (from, to) in PAIRS {
         let low = from.min(to);
-        let away = (1_900.0 * to / low) as usize;
+        let away = (AWAY * to / low) as usize;
         for part in [0.001, 0.3, 0.7, 0.97] {
             let frequency = 0.5 * low * part;
             let record: Vec<f32> =
